@@ -67,10 +67,10 @@ export CLAZY_LIST_OF_TESTS=$CLAZY_LIST,no-range-loop-detach,no-detaching-tempora
 
 # Prints what both find in one unit of ours, in one go. clazy brings the warnings of the compiler with it.
 look() {
-    local found checks=$CLAZY_LIST
-    [[ $1 != "$PWD"/tests/* && $1 != "$PWD"/build/lint/tests/* ]] || checks=$CLAZY_LIST_OF_TESTS
+    local found checks=$CLAZY_LIST config=.clang-tidy
+    [[ $1 != "$PWD"/tests/* && $1 != "$PWD"/build/lint/tests/* ]] || { checks=$CLAZY_LIST_OF_TESTS && config=tests/.clang-tidy; }
     found=$({
-        clang-tidy-14 -p build/lint --quiet "$1" 2>/dev/null || echo "$1:1:1: error: clang-tidy failed on it"
+        clang-tidy-14 -p build/lint --config-file="$config" --quiet "$1" 2>/dev/null || echo "$1:1:1: error: clang-tidy failed on it"
         clazy-standalone -p build/lint --checks="$checks" "$1" || echo "$1:1:1: error: clazy failed on it"
     } 2>&1 | awk -v ours="$PWD/" '/^[^ ].*:[0-9]+:[0-9]+: (warning|error): / { shown = index($0, ours) == 1 } shown' |
         grep -vE '^[0-9]+ warnings? generated\.$' || true)

@@ -94,7 +94,7 @@
     <name>ClassReport</name>
     <message>
         <source>Rank: one more than the number of teams that are better beyond doubt (medians apart by more than 1.96 σ); teams of one rank cannot be told apart.</source>
-        <translation>Rang: eins mehr als die Zahl der Teams, die zweifelsfrei besser sind (Mediane um mehr als 1.96 σ auseinander); Teams mit gleichem Rang lassen sich nicht unterscheiden.</translation>
+        <translation>Rang: eins mehr als die Zahl der Teams, die zweifelsfrei besser sind (Mediane um mehr als 1,96 σ auseinander); Teams mit gleichem Rang lassen sich nicht unterscheiden.</translation>
     </message>
     <message numerus="yes">
         <source>%n trial(s) left out: measured by another course; measure them again.</source>
@@ -117,7 +117,7 @@
     </message>
     <message>
         <source>by %1</source>
-        <translation>nach %1</translation>
+        <translation>gewertet nach: %1</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -219,11 +219,11 @@
     </message>
     <message>
         <source>It is %1 σ, more than 1.96: were there no difference, chance would give as much in less than 5 of 100 cases.</source>
-        <translation>Er beträgt %1 σ, mehr als 1.96: Gäbe es keinen Unterschied, brächte der Zufall so viel in weniger als 5 von 100 Fällen hervor.</translation>
+        <translation>Er beträgt %1 σ, mehr als 1,96: Gäbe es keinen Unterschied, brächte der Zufall so viel in weniger als 5 von 100 Fällen hervor.</translation>
     </message>
     <message>
         <source>It is %1 σ, not more than 1.96: within the error, so that no difference can be claimed.</source>
-        <translation>Er beträgt %1 σ, nicht mehr als 1.96: im Rahmen des Fehlers, ein Unterschied lässt sich also nicht behaupten.</translation>
+        <translation>Er beträgt %1 σ, nicht mehr als 1,96: im Rahmen des Fehlers, ein Unterschied lässt sich also nicht behaupten.</translation>
     </message>
     <message>
         <source>along the task&apos;s reference path</source>
@@ -1433,7 +1433,7 @@
     </message>
     <message>
         <source>expose for 10 or 20 ms with mains of 50 Hz, 8.3 or 16.7 ms with 60 Hz</source>
-        <translation>belichten Sie 10 oder 20 ms bei 50 Hz Netzfrequenz, 8.3 oder 16.7 ms bei 60 Hz</translation>
+        <translation>belichten Sie 10 oder 20 ms bei 50 Hz Netzfrequenz, 8,3 oder 16,7 ms bei 60 Hz</translation>
     </message>
     <message>
         <source>or use daylight</source>
@@ -4973,7 +4973,7 @@
     </message>
     <message>
         <source>give a height of 0.05 m to 100 m</source>
-        <translation>geben Sie eine Höhe von 0.05 m bis 100 m an</translation>
+        <translation>geben Sie eine Höhe von 0,05 m bis 100 m an</translation>
     </message>
     <message>
         <source>it cannot stand %1 m away</source>
@@ -6400,7 +6400,7 @@
     </message>
     <message>
         <source>of the stretches within 1.5 σ of it, each by its mean</source>
-        <translation>der Abschnitte im Abstand von höchstens 1.5 σ davon, jeder mit seinem Mittel</translation>
+        <translation>der Abschnitte im Abstand von höchstens 1,5 σ davon, jeder mit seinem Mittel</translation>
     </message>
     <message>
         <source>The speed that 95 % of the time in motion stays below.</source>
@@ -6616,7 +6616,7 @@
     </message>
     <message>
         <source>Jump: the place is beyond what the motion before and after allows for (χ² of two degrees of freedom, 99.9 %).</source>
-        <translation>Sprung: Der Ort liegt jenseits dessen, was die Bewegung davor und danach zulässt (χ² mit zwei Freiheitsgraden, 99.9 %).</translation>
+        <translation>Sprung: Der Ort liegt jenseits dessen, was die Bewegung davor und danach zulässt (χ² mit zwei Freiheitsgraden, 99,9 %).</translation>
     </message>
     <message>
         <source>Limit: to get there it had to be faster than the limit of the task or of the analysis.</source>
@@ -6628,7 +6628,7 @@
     </message>
     <message>
         <source>Views disagree: their places differ by more than their errors and their usual disagreement explain (χ², 99.9 %).</source>
-        <translation>Sichten uneins: Ihre Orte weichen stärker voneinander ab, als ihre Fehler und ihre übliche Abweichung erklären (χ², 99.9 %).</translation>
+        <translation>Sichten uneins: Ihre Orte weichen stärker voneinander ab, als ihre Fehler und ihre übliche Abweichung erklären (χ², 99,9 %).</translation>
     </message>
     <message>
         <source>Low score: the tracker was not sure of what it saw.</source>
@@ -7944,7 +7944,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>The cameras’ views</source>
-        <translation>Die Sichten der Kameras</translation>
+        <translation>Kamerasichten</translation>
     </message>
     <message>
         <source>at %1, the top speed</source>
@@ -9048,6 +9048,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 </context>
 <context>
     <name>odo::FigureText</name>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
     <message>
         <source>Time</source>
         <translation>Zeit</translation>
@@ -12627,7 +12631,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>three trials at different times tell</source>
-        <translation>erst ab drei Versuchen zu verschiedenen Zeiten</translation>
+        <translation>erst ab drei Zeitpunkten</translation>
     </message>
     <message>
         <source>within the spread (%1)</source>
@@ -12647,7 +12651,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>One more than the teams that are better beyond doubt: their medians differ by more than 1.96 σ. Runs of different tasks are not ranked</source>
-        <translation>Eins mehr als die Teams, die zweifelsfrei besser sind: Ihre Mediane unterscheiden sich um mehr als 1.96 σ. Fahrten verschiedener Aufgaben werden nicht gereiht</translation>
+        <translation>Eins mehr als die Teams, die zweifelsfrei besser sind: Ihre Mediane unterscheiden sich um mehr als 1,96 σ. Fahrten verschiedener Aufgaben werden nicht gereiht</translation>
     </message>
     <message>
         <source>Rank</source>

@@ -94,7 +94,7 @@
     <name>ClassReport</name>
     <message>
         <source>Rank: one more than the number of teams that are better beyond doubt (medians apart by more than 1.96 σ); teams of one rank cannot be told apart.</source>
-        <translation>Puesto: uno más que el número de equipos mejores sin lugar a dudas (medianas separadas más de 1.96 σ); los equipos de un mismo puesto no se pueden distinguir.</translation>
+        <translation>Puesto: uno más que el número de equipos mejores sin lugar a dudas (medianas separadas más de 1,96 σ); los equipos de un mismo puesto no se pueden distinguir.</translation>
     </message>
     <message numerus="yes">
         <source>%n trial(s) left out: measured by another course; measure them again.</source>
@@ -200,7 +200,7 @@
     </message>
     <message>
         <source>class median %1</source>
-        <translation>mediana de la clase: %1</translation>
+        <translation>mediana clase: %1</translation>
     </message>
     <message>
         <source>Spread of one run</source>
@@ -219,11 +219,11 @@
     </message>
     <message>
         <source>It is %1 σ, more than 1.96: were there no difference, chance would give as much in less than 5 of 100 cases.</source>
-        <translation>Es de %1 σ, más de 1.96: si no hubiera diferencia, el azar daría una así en menos de 5 de cada 100 casos.</translation>
+        <translation>Es de %1 σ, más de 1,96: si no hubiera diferencia, el azar daría una así en menos de 5 de cada 100 casos.</translation>
     </message>
     <message>
         <source>It is %1 σ, not more than 1.96: within the error, so that no difference can be claimed.</source>
-        <translation>Es de %1 σ, no más de 1.96: queda dentro del error, así que no se puede afirmar ninguna diferencia.</translation>
+        <translation>Es de %1 σ, no más de 1,96: queda dentro del error, así que no se puede afirmar ninguna diferencia.</translation>
     </message>
     <message>
         <source>along the task&apos;s reference path</source>
@@ -1433,7 +1433,7 @@
     </message>
     <message>
         <source>expose for 10 or 20 ms with mains of 50 Hz, 8.3 or 16.7 ms with 60 Hz</source>
-        <translation>exponga 10 o 20 ms con red de 50 Hz, 8.3 o 16.7 ms con 60 Hz</translation>
+        <translation>exponga 10 o 20 ms con red de 50 Hz, 8,3 o 16,7 ms con 60 Hz</translation>
     </message>
     <message>
         <source>or use daylight</source>
@@ -4973,7 +4973,7 @@
     </message>
     <message>
         <source>give a height of 0.05 m to 100 m</source>
-        <translation>dé una altura de 0.05 m a 100 m</translation>
+        <translation>dé una altura de 0,05 m a 100 m</translation>
     </message>
     <message>
         <source>it cannot stand %1 m away</source>
@@ -6400,7 +6400,7 @@
     </message>
     <message>
         <source>of the stretches within 1.5 σ of it, each by its mean</source>
-        <translation>de los tramos a menos de 1.5 σ de ella, cada uno por su media</translation>
+        <translation>de los tramos a menos de 1,5 σ de ella, cada uno por su media</translation>
     </message>
     <message>
         <source>The speed that 95 % of the time in motion stays below.</source>
@@ -6616,7 +6616,7 @@
     </message>
     <message>
         <source>Jump: the place is beyond what the motion before and after allows for (χ² of two degrees of freedom, 99.9 %).</source>
-        <translation>Salto: la posición está fuera de lo que admite el movimiento anterior y posterior (χ² con dos grados de libertad, 99.9 %).</translation>
+        <translation>Salto: la posición está fuera de lo que admite el movimiento anterior y posterior (χ² con dos grados de libertad, 99,9 %).</translation>
     </message>
     <message>
         <source>Limit: to get there it had to be faster than the limit of the task or of the analysis.</source>
@@ -6628,7 +6628,7 @@
     </message>
     <message>
         <source>Views disagree: their places differ by more than their errors and their usual disagreement explain (χ², 99.9 %).</source>
-        <translation>Las vistas discrepan: sus posiciones difieren más de lo que explican sus errores y su discrepancia habitual (χ², 99.9 %).</translation>
+        <translation>Las vistas discrepan: sus posiciones difieren más de lo que explican sus errores y su discrepancia habitual (χ², 99,9 %).</translation>
     </message>
     <message>
         <source>Low score: the tracker was not sure of what it saw.</source>
@@ -7928,7 +7928,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <name>TrialReport</name>
     <message>
         <source>class median %1</source>
-        <translation>mediana de la clase: %1</translation>
+        <translation>mediana clase: %1</translation>
     </message>
     <message>
         <source>Score</source>
@@ -7944,7 +7944,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
     <message>
         <source>The cameras’ views</source>
-        <translation>Las vistas de las cámaras</translation>
+        <translation>Vistas de las cámaras</translation>
     </message>
     <message>
         <source>at %1, the top speed</source>
@@ -9048,6 +9048,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 </context>
 <context>
     <name>odo::FigureText</name>
+    <message>
+        <source>points</source>
+        <translation>puntos</translation>
+    </message>
     <message>
         <source>Time</source>
         <translation>Tiempo</translation>
@@ -12627,7 +12631,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
     <message>
         <source>three trials at different times tell</source>
-        <translation>se sabe con tres ensayos en momentos distintos</translation>
+        <translation>desde tres momentos distintos</translation>
     </message>
     <message>
         <source>within the spread (%1)</source>
@@ -12647,7 +12651,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
     <message>
         <source>One more than the teams that are better beyond doubt: their medians differ by more than 1.96 σ. Runs of different tasks are not ranked</source>
-        <translation>Uno más que los equipos mejores sin lugar a dudas: sus medianas difieren más de 1.96 σ. Los recorridos de tareas distintas no se clasifican</translation>
+        <translation>Uno más que los equipos mejores sin lugar a dudas: sus medianas difieren más de 1,96 σ. Los recorridos de tareas distintas no se clasifican</translation>
     </message>
     <message>
         <source>Rank</source>

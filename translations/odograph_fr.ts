@@ -94,7 +94,7 @@
     <name>ClassReport</name>
     <message>
         <source>Rank: one more than the number of teams that are better beyond doubt (medians apart by more than 1.96 σ); teams of one rank cannot be told apart.</source>
-        <translation>Rang&#xa0;: un de plus que le nombre d’équipes sûrement meilleures (médianes distantes de plus de 1.96 σ)&#xa0;; les équipes de même rang ne peuvent pas être départagées.</translation>
+        <translation>Rang&#xa0;: un de plus que le nombre d’équipes sûrement meilleures (médianes distantes de plus de 1,96 σ)&#xa0;; les équipes de même rang ne peuvent pas être départagées.</translation>
     </message>
     <message numerus="yes">
         <source>%n trial(s) left out: measured by another course; measure them again.</source>
@@ -200,7 +200,7 @@
     </message>
     <message>
         <source>class median %1</source>
-        <translation>médiane de la classe&#xa0;: %1</translation>
+        <translation>médiane classe&#xa0;: %1</translation>
     </message>
     <message>
         <source>Spread of one run</source>
@@ -219,11 +219,11 @@
     </message>
     <message>
         <source>It is %1 σ, more than 1.96: were there no difference, chance would give as much in less than 5 of 100 cases.</source>
-        <translation>Elle vaut %1 σ, plus de 1.96&#xa0;: s’il n’y avait pas de différence, le hasard en donnerait autant dans moins de 5 cas sur 100.</translation>
+        <translation>Elle vaut %1 σ, plus de 1,96&#xa0;: s’il n’y avait pas de différence, le hasard en donnerait autant dans moins de 5 cas sur 100.</translation>
     </message>
     <message>
         <source>It is %1 σ, not more than 1.96: within the error, so that no difference can be claimed.</source>
-        <translation>Elle vaut %1 σ, pas plus de 1.96&#xa0;: elle est dans la marge d’erreur et l’on ne peut conclure à aucune différence.</translation>
+        <translation>Elle vaut %1 σ, pas plus de 1,96&#xa0;: elle est dans la marge d’erreur et l’on ne peut conclure à aucune différence.</translation>
     </message>
     <message>
         <source>along the task&apos;s reference path</source>
@@ -1433,7 +1433,7 @@
     </message>
     <message>
         <source>expose for 10 or 20 ms with mains of 50 Hz, 8.3 or 16.7 ms with 60 Hz</source>
-        <translation>exposez 10 ou 20 ms avec un secteur de 50 Hz, 8.3 ou 16.7 ms avec 60 Hz</translation>
+        <translation>exposez 10 ou 20 ms avec un secteur de 50 Hz, 8,3 ou 16,7 ms avec 60 Hz</translation>
     </message>
     <message>
         <source>or use daylight</source>
@@ -4973,7 +4973,7 @@
     </message>
     <message>
         <source>give a height of 0.05 m to 100 m</source>
-        <translation>donnez une hauteur de 0.05 m à 100 m</translation>
+        <translation>donnez une hauteur de 0,05 m à 100 m</translation>
     </message>
     <message>
         <source>it cannot stand %1 m away</source>
@@ -6400,7 +6400,7 @@
     </message>
     <message>
         <source>of the stretches within 1.5 σ of it, each by its mean</source>
-        <translation>des intervalles à moins de 1.5 σ de cette valeur, chacun par sa moyenne</translation>
+        <translation>des intervalles à moins de 1,5 σ de cette valeur, chacun par sa moyenne</translation>
     </message>
     <message>
         <source>The speed that 95 % of the time in motion stays below.</source>
@@ -6616,7 +6616,7 @@
     </message>
     <message>
         <source>Jump: the place is beyond what the motion before and after allows for (χ² of two degrees of freedom, 99.9 %).</source>
-        <translation>Saut&#xa0;: l’endroit est au-delà de ce que permet le mouvement avant et après (χ² à deux degrés de liberté, 99.9&#xa0;%).</translation>
+        <translation>Saut&#xa0;: l’endroit est au-delà de ce que permet le mouvement avant et après (χ² à deux degrés de liberté, 99,9&#xa0;%).</translation>
     </message>
     <message>
         <source>Limit: to get there it had to be faster than the limit of the task or of the analysis.</source>
@@ -6628,7 +6628,7 @@
     </message>
     <message>
         <source>Views disagree: their places differ by more than their errors and their usual disagreement explain (χ², 99.9 %).</source>
-        <translation>Désaccord des vues&#xa0;: leurs positions diffèrent de plus que ne l’expliquent leurs erreurs et leur désaccord habituel (χ², 99.9&#xa0;%).</translation>
+        <translation>Désaccord des vues&#xa0;: leurs positions diffèrent de plus que ne l’expliquent leurs erreurs et leur désaccord habituel (χ², 99,9&#xa0;%).</translation>
     </message>
     <message>
         <source>Low score: the tracker was not sure of what it saw.</source>
@@ -7928,7 +7928,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <name>TrialReport</name>
     <message>
         <source>class median %1</source>
-        <translation>médiane de la classe&#xa0;: %1</translation>
+        <translation>médiane classe&#xa0;: %1</translation>
     </message>
     <message>
         <source>Score</source>
@@ -9048,6 +9048,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 </context>
 <context>
     <name>odo::FigureText</name>
+    <message>
+        <source>points</source>
+        <translation>points</translation>
+    </message>
     <message>
         <source>Time</source>
         <translation>Temps</translation>
@@ -12647,7 +12651,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message>
         <source>One more than the teams that are better beyond doubt: their medians differ by more than 1.96 σ. Runs of different tasks are not ranked</source>
-        <translation>Un de plus que le nombre d’équipes sûrement meilleures&#xa0;: leurs médianes diffèrent de plus de 1.96 σ. Les passages d’épreuves différentes ne sont pas classés</translation>
+        <translation>Un de plus que le nombre d’équipes sûrement meilleures&#xa0;: leurs médianes diffèrent de plus de 1,96 σ. Les passages d’épreuves différentes ne sont pas classés</translation>
     </message>
     <message>
         <source>Rank</source>

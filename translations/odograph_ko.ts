@@ -9041,6 +9041,10 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::FigureText</name>
     <message>
+        <source>points</source>
+        <translation>점</translation>
+    </message>
+    <message>
         <source>Time</source>
         <translation>시간</translation>
     </message>

@@ -9041,6 +9041,10 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::FigureText</name>
     <message>
+        <source>points</source>
+        <translation>分</translation>
+    </message>
+    <message>
         <source>Time</source>
         <translation>用时</translation>
     </message>

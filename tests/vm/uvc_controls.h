@@ -24,8 +24,8 @@ public:
 private:
     struct Control
     {
-        std::uint8_t entity, selector, size;
-        std::int32_t least, most, resolution, standard, value;
+        std::uint8_t entity = 0, selector = 0, size = 0;
+        std::int32_t least = 0, most = 0, resolution = 0, standard = 0, value = 0;
         std::int32_t automatic = 0;         ///< its value while its automatic is on
         std::uint8_t automaticSelector = 0; ///< 0: it has none
     };

@@ -104,7 +104,7 @@ ShownUnit metricUnit(const Metric &metric)
     if (metric.unit == "m/s²")
         return units.acceleration;
     if (metric.unit == "points")
-        return {tr(QT_TRANSLATE_NOOP("odo::FigureText", "points")), 1};
+        return {QCoreApplication::translate("odo::FigureText", "points"), 1};
     return {metric.unit == "1" ? QString() : QString::fromStdString(metric.unit), 1};
 }
 

@@ -5,6 +5,7 @@
 #include "ui/models/shown_team.h"
 #include "ui/models/standings_model.h"
 #include "ui/report/report_painting.h"
+#include "ui/report/report_table.h"
 #include "ui/views/axis_ticks.h"
 #include "ui/views/theme.h"
 #include "ui/views/trend_painting.h"
@@ -65,7 +66,7 @@ struct Columns
 {
     double rank, team, runs, best, median, strip; ///< what is left is for the progress
 };
-constexpr Columns columnWidths{24, 122, 36, 68, 92, 180};
+constexpr Columns columnWidths{24, 122, 50, 76, 92, 160};
 
 /// The scale on which every run of the class is a dot.
 struct Strip

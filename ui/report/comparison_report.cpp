@@ -7,6 +7,7 @@
 #include "ui/report/method_page.h"
 #include "ui/report/report_map.h"
 #include "ui/report/report_painting.h"
+#include "ui/report/report_table.h"
 #include "ui/report/stills_painting.h"
 #include "ui/views/comparison_painting.h"
 #include "ui/views/curve_painting.h"

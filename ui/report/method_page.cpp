@@ -6,6 +6,7 @@
 #include "ui/models/explanation.h"
 #include "ui/models/metric_choice.h"
 #include "ui/report/report_painting.h"
+#include "ui/report/report_table.h"
 #include "ui/report/trial_report.h"
 #include "ui/views/theme.h"
 

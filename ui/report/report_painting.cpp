@@ -38,6 +38,8 @@ QFont fittingFont(const QString &value, double width)
     return reportFont(size, QFont::DemiBold);
 }
 
+constexpr double lineSpacing = 1.25; ///< between the lines of a paragraph, in heights of their font
+
 bool isInvisible(QChar c)
 {
     return c.category() == QChar::Other_Control || c.category() == QChar::Other_Format ||
@@ -82,32 +84,40 @@ QString literalName(const std::string &name)
 void drawLine(QPainter &painter, const QRectF &rect, const QString &text, const QFont &font,
               const QColor &colour, Qt::Alignment alignment)
 {
-    painter.setFont(font);
+    QFont smaller = font;
+    smaller.setPixelSize(font.pixelSize() - 1);
+    const bool isHelped = QFontMetricsF(font).horizontalAdvance(text) > rect.width() &&
+                          QFontMetricsF(smaller).horizontalAdvance(text) <= rect.width();
+    painter.setFont(isHelped ? smaller : font);
     painter.setPen(colour);
     painter.drawText(rect, int(alignment) | Qt::TextSingleLine | Qt::TextDontClip,
-                     QFontMetricsF(font).elidedText(text, Qt::ElideRight, rect.width()));
+                     QFontMetricsF(painter.font()).elidedText(text, Qt::ElideRight, rect.width()));
+}
+
+QStringList linesOf(const QString &paragraph, const QFont &font, double width, int most)
+{
+    QStringList lines;
+    QTextLayout layout(paragraph, font);
+    layout.beginLayout();
+    for (QTextLine line = layout.createLine(); line.isValid() && lines.size() < most; line = layout.createLine()) {
+        line.setLineWidth(width);
+        lines << (lines.size() + 1 == most ? paragraph.mid(line.textStart())
+                                           : paragraph.mid(line.textStart(), line.textLength()).trimmed());
+    }
+    layout.endLayout();
+    return lines;
 }
 
 double drawParagraph(QPainter &painter, const QRectF &rect, const QString &text, const QFont &font,
                      const QColor &colour)
 {
-    const double lineHeight = 1.25 * QFontMetricsF(font).height();
+    const double lineHeight = lineSpacing * QFontMetricsF(font).height();
     double top = rect.top();
-    for (const QString &paragraph : text.split(u'\n')) {
-        QTextLayout layout(paragraph, font);
-        layout.beginLayout();
-        for (QTextLine line = layout.createLine(); line.isValid() && top + lineHeight <= rect.bottom() + 1;
-             line = layout.createLine()) {
-            line.setLineWidth(rect.width());
-            const bool isLast = top + 2 * lineHeight > rect.bottom() + 1;
-            drawLine(painter, QRectF(rect.left(), top, rect.width(), lineHeight),
-                     isLast ? paragraph.mid(line.textStart())
-                            : paragraph.mid(line.textStart(), line.textLength()).trimmed(),
-                     font, colour);
+    for (const QString &paragraph : text.split(u'\n'))
+        for (const QString &line : linesOf(paragraph, font, rect.width(), int((rect.bottom() + 1 - top) / lineHeight))) {
+            drawLine(painter, QRectF(rect.left(), top, rect.width(), lineHeight), line, font, colour);
             top += lineHeight;
         }
-        layout.endLayout();
-    }
     return top - rect.top();
 }
 
@@ -122,81 +132,6 @@ QRectF drawPartTitle(QPainter &painter, const QRectF &rect, const QString &title
     painter.setPen(QPen(colours().border, 0.8));
     painter.drawLine(QPointF(rect.left(), rect.top() + height), QPointF(rect.right(), rect.top() + height));
     return rect.adjusted(0, height + 3, 0, 0);
-}
-
-namespace {
-
-constexpr double cellLeft = 2, cellRight = 4;
-
-/// By their weights; but numbers, which stand at the right, are shown whole as long as the widest column of words has more than they miss.
-QList<double> widthsOfColumns(const ReportTable &table, double total)
-{
-    double whole = 0;
-    for (const double weight : table.weights)
-        whole += weight;
-    QList<double> widths;
-    for (const double weight : table.weights)
-        widths << total * weight / whole;
-    const QFontMetricsF metrics(reportFont(smallSize + 1, QFont::DemiBold));
-    for (qsizetype column = 0; column < std::min(widths.size(), table.alignments.size()); ++column) {
-        if (!table.alignments.at(column).testFlag(Qt::AlignRight))
-            continue;
-        double wanted = 0;
-        for (const ReportTable::Row &row : table.rows)
-            if (column < row.cells.size())
-                wanted = std::max(wanted, metrics.horizontalAdvance(row.cells.at(column)) + cellLeft + cellRight + 1);
-        const double missing = wanted - widths.at(column);
-        qsizetype giving = -1;
-        for (qsizetype other = 0; other < widths.size(); ++other)
-            if (!table.alignments.at(other).testFlag(Qt::AlignRight) && (giving < 0 || widths.at(other) > widths.at(giving)))
-                giving = other;
-        if (missing <= 0 || giving < 0 || widths.at(giving) < 2 * missing)
-            continue;
-        widths[column] += missing;
-        widths[giving] -= missing;
-    }
-    return widths;
-}
-
-} // namespace
-
-double drawTable(QPainter &painter, const QRectF &rect, const ReportTable &table)
-{
-    const QList<double> widths = widthsOfColumns(table, rect.width());
-    const auto drawRow = [&](double top, const QStringList &cells, const QFont &font, const QColor &colour) {
-        double left = rect.left();
-        for (qsizetype column = 0; column < std::min(cells.size(), table.weights.size()); ++column) {
-            const double width = widths.at(column);
-            const Qt::Alignment side =
-                table.alignments.isEmpty() ? Qt::AlignLeft : table.alignments.at(column);
-            drawLine(painter, QRectF(left + cellLeft, top, width - cellLeft - cellRight, table.rowHeight), cells.at(column), font,
-                     colour, side | Qt::AlignVCenter);
-            left += width;
-        }
-    };
-    double top = rect.top();
-    if (!table.header.isEmpty()) {
-        drawRow(top, table.header, reportFont(smallSize), colours().muted);
-        top += table.rowHeight;
-    }
-    const auto room = qsizetype((rect.bottom() - top + 0.5) / table.rowHeight);
-    const qsizetype shown = table.rows.size() <= room ? table.rows.size() : std::max<qsizetype>(0, room - 1);
-    for (qsizetype row = 0; row < shown; ++row) {
-        const ReportTable::Row &each = table.rows.at(row);
-        painter.setPen(QPen(colours().grid, 0.7));
-        if (row > 0 || !table.header.isEmpty())
-            painter.drawLine(QPointF(rect.left(), top), QPointF(rect.right(), top));
-        drawRow(top, each.cells, reportFont(smallSize + 1, each.isStrong ? QFont::DemiBold : QFont::Normal),
-                each.isFaint ? colours().muted : colours().text);
-        top += table.rowHeight;
-    }
-    if (shown < table.rows.size()) {
-        drawLine(painter, QRectF(rect.left() + 2, top, rect.width(), table.rowHeight),
-                 ReportWords::tr("and %n more", "", int(table.rows.size() - shown)), reportFont(smallSize),
-                 colours().muted);
-        top += table.rowHeight;
-    }
-    return top - rect.top();
 }
 
 void drawFigures(QPainter &painter, const QRectF &rect, const QList<ReportFigure> &figures)

@@ -26,9 +26,12 @@ constexpr int bodySize = 11, smallSize = 9;
 QString literalName(const QString &name);
 QString literalName(const std::string &name);
 
-/// One line within a rectangle; what does not fit is cut with an ellipsis. Text is never markup.
+/// One line within a rectangle, one size smaller where that leaves it whole; what does not fit then is cut with an ellipsis. Text is
+/// never markup.
 void drawLine(QPainter &painter, const QRectF &rect, const QString &text, const QFont &font,
               const QColor &colour, Qt::Alignment alignment = Qt::AlignLeft | Qt::AlignVCenter);
+/// A paragraph broken between words; the last of at most so many lines has all that is left.
+QStringList linesOf(const QString &paragraph, const QFont &font, double width, int most);
 /// Several lines, broken between words; what does not fit at the foot is cut. Gives the height used.
 double drawParagraph(QPainter &painter, const QRectF &rect, const QString &text, const QFont &font,
                      const QColor &colour);
@@ -36,25 +39,6 @@ double drawParagraph(QPainter &painter, const QRectF &rect, const QString &text,
 /// The name of a part, with a remark at its right in small print, and a thin line below; gives what is left of
 /// the rectangle.
 QRectF drawPartTitle(QPainter &painter, const QRectF &rect, const QString &title, const QString &remark = {});
-
-/// A table with thin lines between its rows. The first column is at the left, the others as told.
-struct ReportTable
-{
-    struct Row
-    {
-        QStringList cells;
-        bool isFaint = false; ///< within the error, or otherwise of no weight
-        bool isStrong = false;
-    };
-    QStringList header; ///< may be empty
-    QList<Row> rows;
-    QList<double> weights;           ///< of the columns; as many as cells. Numbers (at the right) may take more from words
-    QList<Qt::Alignment> alignments; ///< likewise; left where empty
-    double rowHeight = 15;
-};
-/// What does not fit into the rectangle is left out, and the last line says how many rows that were. Gives the
-/// height used.
-double drawTable(QPainter &painter, const QRectF &rect, const ReportTable &table);
 
 /// A large figure: name above, value large, unit and ± small beside it, a remark below.
 struct ReportFigure

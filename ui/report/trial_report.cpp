@@ -10,6 +10,7 @@
 #include "ui/report/report_chart.h"
 #include "ui/report/report_map.h"
 #include "ui/report/report_painting.h"
+#include "ui/report/report_table.h"
 #include "ui/report/stills_painting.h"
 #include "ui/views/theme.h"
 
@@ -41,6 +42,7 @@ public:
         if (!m_analysis)
             return;
         m_events = runEvents(m_analysis->profile, mostEvents);
+        m_laps = lapsOf(m_analysis->profile.passages);
         m_score = scoreOf(m_scene, m_robot);
     }
     void paint(const QRectF &sheet);
@@ -48,12 +50,19 @@ public:
 private:
     QList<ReportFigure> figures() const;
     std::size_t largeCount() const { return largeFigures - (m_score ? 1 : 0); } ///< of the metrics
-    double tablesHeight() const;
+    /// The three tables below the charts.
+    struct Tables
+    {
+        QRectF events, splits, metrics;
+    };
+    Tables tablesIn(const QRectF &rect) const;
+    double tablesHeight(double width) const;
     QString medianWords(const std::string &metric, const std::string &unit) const;
     void paintPlaces(const QRectF &rect);
     void paintTables(const QRectF &rect);
+    ReportTable eventsTable() const;
     void paintEvents(const QRectF &rect);
-    void paintSplits(const QRectF &rect, const std::vector<Lap> &laps);
+    void paintSplits(const QRectF &rect);
     void paintMetrics(const QRectF &rect);
     void paintRemarks(const QRectF &rect);
 
@@ -64,6 +73,7 @@ private:
     const ReportOptions &m_options;
     const AnalysisRecord *m_analysis = nullptr; ///< null: not tracked
     std::vector<RunEvent> m_events;
+    std::vector<Lap> m_laps;
     std::optional<Score> m_score;
 };
 
@@ -108,37 +118,43 @@ void TrialPage::paintPlaces(const QRectF &rect)
     drawStills(m_painter, pictures, m_scene, m_content.stills);
 }
 
-void TrialPage::paintEvents(const QRectF &rect)
+ReportTable TrialPage::eventsTable() const
 {
-    const QRectF room = drawPartTitle(m_painter, rect, TrialReportWords::tr("What happened"));
     ReportTable table;
     table.weights = {0.09, 0.2, 0.71};
     table.alignments = {Qt::AlignLeft, Qt::AlignRight, Qt::AlignLeft};
+    table.mostLines = 2;
     for (const RunEvent &event : m_events)
         table.rows << ReportTable::Row{{QString::number(event.number), secondsText(event.time), literalName(event.words)},
                                        false, false};
-    if (table.rows.isEmpty())
+    return table;
+}
+
+void TrialPage::paintEvents(const QRectF &rect)
+{
+    const QRectF room = drawPartTitle(m_painter, rect, TrialReportWords::tr("What happened"));
+    if (m_events.empty())
         drawLine(m_painter, QRectF(room.left(), room.top(), room.width(), 16),
                  TrialReportWords::tr("It did not move"), reportFont(bodySize),
                  ThemeColours::of(reportPalette()).muted);
-    drawTable(m_painter, room, table);
+    drawTable(m_painter, room, eventsTable());
 }
 
-void TrialPage::paintSplits(const QRectF &rect, const std::vector<Lap> &laps)
+void TrialPage::paintSplits(const QRectF &rect)
 {
     const QRectF room = drawPartTitle(m_painter, rect, TrialReportWords::tr("Splits"));
-    const auto best = std::ranges::min_element(laps, {}, &Lap::timeS);
+    const auto best = std::ranges::min_element(m_laps, {}, &Lap::timeS);
     ReportTable table;
     table.weights = {0.42, 0.58};
     table.alignments = {Qt::AlignLeft, Qt::AlignRight};
-    for (auto lap = laps.begin(); lap != laps.end(); ++lap) {
+    for (auto lap = m_laps.begin(); lap != m_laps.end(); ++lap) {
         const auto time = [](double seconds, double sigmaS) {
             return figureText(seconds, sigmaS, QStringLiteral("s")).text();
         };
         table.rows << ReportTable::Row{
-            {TrialReportWords::tr("Run %1").arg(lap - laps.begin() + 1), time(lap->timeS, lap->sigmaS)},
+            {TrialReportWords::tr("Run %1").arg(lap - m_laps.begin() + 1), time(lap->timeS, lap->sigmaS)},
             false,
-            laps.size() > 1 && lap == best};
+            m_laps.size() > 1 && lap == best};
         for (const Sector &sector : lap->sectors)
             if (lap->sectors.size() > 1)
                 table.rows << ReportTable::Row{
@@ -164,26 +180,33 @@ void TrialPage::paintMetrics(const QRectF &rect)
     drawTable(m_painter, room, table);
 }
 
-/// What the list of events needs, so that map and pictures get the rest; the other tables are cut there.
-double TrialPage::tablesHeight() const
+TrialPage::Tables TrialPage::tablesIn(const QRectF &rect) const
 {
-    constexpr double title = 21, row = 15;
-    constexpr std::size_t fewest = 8;
-    return title + row * double(std::max(fewest, m_events.size()));
+    constexpr double gap = 16;
+    const bool hasSplits = !m_laps.empty();
+    const double width = rect.width() - (hasSplits ? 2 : 1) * gap;
+    Tables tables = {rect, rect, rect};
+    tables.events.setWidth(width * (hasSplits ? 0.41 : 0.55));
+    tables.splits.setLeft(tables.events.right() + gap);
+    tables.splits.setWidth(hasSplits ? width * 0.26 : 0);
+    tables.metrics.setLeft(hasSplits ? tables.splits.right() + gap : tables.splits.left());
+    return tables;
+}
+
+/// What the list of events needs, so that map and pictures get the rest; the other tables are cut there.
+double TrialPage::tablesHeight(double width) const
+{
+    constexpr double title = 21, fewestRows = 8 * 15;
+    return title + std::max(fewestRows, tableHeight(eventsTable(), tablesIn(QRectF(0, 0, width, 0)).events.width()));
 }
 
 void TrialPage::paintTables(const QRectF &rect)
 {
-    constexpr double gap = 16;
-    const std::vector<Lap> laps = lapsOf(m_analysis->profile.passages);
-    const bool hasSplits = !laps.empty();
-    const double width = (rect.width() - (hasSplits ? 2 : 1) * gap);
-    const double events = width * (hasSplits ? 0.39 : 0.55), splits = hasSplits ? width * 0.26 : 0;
-    paintEvents(QRectF(rect.left(), rect.top(), events, rect.height()));
-    if (hasSplits)
-        paintSplits(QRectF(rect.left() + events + gap, rect.top(), splits, rect.height()), laps);
-    const double left = rect.left() + events + gap + (hasSplits ? splits + gap : 0);
-    paintMetrics(QRectF(left, rect.top(), rect.right() - left, rect.height()));
+    const Tables tables = tablesIn(rect);
+    paintEvents(tables.events);
+    if (!m_laps.empty())
+        paintSplits(tables.splits);
+    paintMetrics(tables.metrics);
 }
 
 /// The notes, and lines for a pen where there are none.
@@ -219,7 +242,8 @@ void TrialPage::paint(const QRectF &sheet)
     }
     drawFigures(m_painter, QRectF(room.left(), room.top(), room.width(), figuresHeight), figures());
     room.setTop(room.top() + figuresHeight + gap);
-    const QRectF tables(room.left(), room.bottom() - tablesHeight(), room.width(), tablesHeight());
+    QRectF tables = room;
+    tables.setTop(room.bottom() - tablesHeight(room.width()));
     paintTables(tables);
     room.setBottom(tables.top() - gap);
     const double chart = chartShare * sheet.height();

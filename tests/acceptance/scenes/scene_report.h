@@ -9,7 +9,7 @@ namespace odo::test {
 
 /// The table's head, and a line for one measured scene.
 QString tableHead();
-QString tableLine(const MeasuredScene &scene);
+QString tableLine(const MeasuredScene &measured);
 /// A line for each bar: the figure, what is demanded, and whether it is met.
 QString barsTable(const std::vector<BarResult> &bars);
 

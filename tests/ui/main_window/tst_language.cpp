@@ -4,6 +4,7 @@
 #include "ui/main_window/language.h"
 #include "ui/models/figure_text.h"
 
+#include <QDirIterator>
 #include <QFile>
 #include <QFileInfo>
 #include <QLibraryInfo>
@@ -37,6 +38,8 @@ private Q_SLOTS:
     }
     /// What lupdate finds in the program stands in every language's file, finished.
     void everyLanguageIsComplete();
+    /// What is marked within tr() lupdate does not find, so that no file is asked to have it.
+    void noWordIsMarkedWithinTr();
     void placeholdersAndKeysAreKept_data() { eachLanguage(); }
     void placeholdersAndKeysAreKept();
     void everyHelpPageIsThere_data() { eachLanguage(); }
@@ -136,9 +139,26 @@ void TestLanguage::everyLanguageIsComplete()
     QCOMPARE(missing, 0);
 }
 
+void TestLanguage::noWordIsMarkedWithinTr()
+{
+    static const QRegularExpression marked(QStringLiteral("\\btr\\(\\s*QT_TR[A-Z_]*NOOP"));
+    int files = 0;
+    for (QDirIterator each(m_root + QStringLiteral("/ui"), {QStringLiteral("*.cpp"), QStringLiteral("*.h")}, QDir::Files, QDirIterator::Subdirectories);
+         each.hasNext();) {
+        QFile file(each.next());
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QString text = QString::fromUtf8(file.readAll());
+        QVERIFY2(!marked.match(text).hasMatch(), qPrintable(file.fileName()));
+        ++files;
+    }
+    QVERIFY(files > 100);
+}
+
 void TestLanguage::placeholdersAndKeysAreKept()
 {
     QFETCH(QString, code);
+    const bool hasComma = QLocale(code).decimalPoint() == QStringLiteral(",");
+    const QString measure = QStringLiteral("[0-9]\\.[0-9]+[ \u00a0](m|ms|σ|%)");
     const QString placeholder = QStringLiteral("%[0-9]"), key = QStringLiteral("&\\p{L}"), pattern = QStringLiteral("\\*\\.\\w+");
     for (const Message &message : messagesOf(m_root + QStringLiteral("/translations/odograph_%1.ts").arg(code)))
         for (const QString &translation : message.translations) {
@@ -147,6 +167,7 @@ void TestLanguage::placeholdersAndKeysAreKept()
             QVERIFY2(matches(translation, pattern) == matches(message.source, pattern), qPrintable(words));
             QVERIFY2(matches(translation, key).size() == matches(message.source, key).size(), qPrintable(words));
             QVERIFY2(translation.endsWith(u'…') == message.source.endsWith(u'…'), qPrintable(words));
+            QVERIFY2(!hasComma || matches(translation, measure).isEmpty(), qPrintable(words));
         }
 }
 

@@ -81,6 +81,18 @@ private Q_SLOTS:
               "Kalman/RTS, noise from the data"})
             QVERIFY2(text.contains(QString::fromUtf8(words)), qPrintable(QString::fromUtf8(words) + QStringLiteral(" is not in: ") + text));
     }
+    void longWordsOfAnEventTakeTwoLines()
+    {
+        const auto scene = exampleCopy();
+        Profile &profile = scene->robots.front().analysis->profile;
+        profile.spikes = {{.sampleIndex = 40,
+                           .time = profile.samples[40].time,
+                           .reason = "views disagree by 25 mm, none could be trusted, jump of 112 mm"}};
+        const QString text = printedText(printed(trialPages(contentOf(scene), {}))).simplified();
+        for (const char *words : {"Spike: views disagree by 25 mm,", "jump of 112 mm", "Remarks"})
+            QVERIFY2(text.contains(QString::fromUtf8(words)), qPrintable(QString::fromUtf8(words) + QStringLiteral(" is not in: ") + text));
+        QVERIFY2(!text.contains(u'…'), qPrintable(text));
+    }
     void aVaryingRateIsPrinted()
     {
         auto scene = exampleCopy();
