@@ -67,6 +67,10 @@ private:
     AVDictionary *m_options = nullptr;
 };
 
+/// What a file states of its colours as one of the numbers that libav has names for; any other, which to read as an enumeration would be
+/// undefined, becomes "not stated".
+void forgetUnknownColours(AVCodecParameters &parameters);
+
 /// libav's words for one of its error numbers.
 std::string errorText(int error);
 

@@ -9,10 +9,11 @@ namespace odo {
 namespace {
 
 // The containers that cameras, telephones and editors write. Anything that can name another file (HLS, DASH,
-// concat, SDP, image sequences, ...) is left out.
+// concat, SDP, image sequences, ...) is left out, and so is MXF: damaged lengths in 11 kB of it have libavformat ask for
+// gigabytes and read one entry at a time, with no word in between by which it could be stopped.
 constexpr const char *ordinaryContainers =
     "matroska,webm,mov,mp4,m4a,3gp,3g2,mj2,avi,mpegts,mpeg,mpegvideo,mjpeg,"
-    "h264,hevc,m4v,ivf,flv,asf,ogg,nut,mxf,dv";
+    "h264,hevc,m4v,ivf,flv,asf,ogg,nut,dv";
 
 std::string couldNotOpen(const std::filesystem::path &file)
 {
@@ -107,8 +108,10 @@ Result<void> VideoInput::openContainer(const AVInputFormat *known)
 Result<void> VideoInput::findStream()
 {
     std::vector<AVChromaLocation> stated;
-    for (unsigned i = 0; i < m_container->nb_streams; ++i)
+    for (unsigned i = 0; i < m_container->nb_streams; ++i) {
+        libav::forgetUnknownColours(*m_container->streams[i]->codecpar);
         stated.push_back(m_container->streams[i]->codecpar->chroma_location);
+    }
     // It decodes pictures to find out; none that are too large to be read.
     std::vector<AVDictionary *> limits(m_container->nb_streams, nullptr);
     for (AVDictionary *&limit : limits)
@@ -122,6 +125,7 @@ Result<void> VideoInput::findStream()
         return fail(ErrorCode::InvalidInput, couldNotOpen(m_file),
                     "it holds no video stream that can be read", "give the file that the camera recorded");
     m_stream = m_container->streams[best];
+    libav::forgetUnknownColours(*m_stream->codecpar);
     if (static_cast<std::size_t>(best) < stated.size())
         m_containerChromaLocation = stated[static_cast<std::size_t>(best)];
     return {};

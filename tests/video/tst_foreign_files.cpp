@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coded_frames.h"
 #include "core/video/h264_siting.h"
+#include "core/video/libav.h"
 #include "core/video/video_reader.h"
 #include "foreign_files.h"
 
 #include <QTemporaryDir>
 #include <QTest>
+#include <cstring>
 
 using namespace odo;
 using namespace odo::test;
@@ -18,9 +20,11 @@ class TestForeignFiles : public QObject
 private Q_SLOTS:
     void containers_data();
     void containers();
+    void containersThatAreNotTrusted();
     void timesBeyondAnyVideoAreRefused();
     void pixelFormats_data();
     void pixelFormats();
+    void coloursWithoutANameCountAsNotStated();
     void refusedPixelFormats_data();
     void refusedPixelFormats();
     void sitingOfArbitraryBytes();
@@ -87,6 +91,16 @@ void TestForeignFiles::timesBeyondAnyVideoAreRefused()
     QCOMPARE(reader.error().why, std::string("its time stamps span 8640000.00 s"));
 }
 
+void TestForeignFiles::containersThatAreNotTrusted()
+{
+    QVERIFY(writeRaw(path("r.mxf"), "mpeg2video", "yuv420p", 3));
+    const auto reader = VideoReader::open(path("r.mxf"));
+    QVERIFY(!reader.has_value());
+    QCOMPARE(reader.error().code, ErrorCode::InvalidInput);
+    QVERIFY2(QString::fromStdString(reader.error().message()).endsWith(QStringLiteral("give an MP4, MOV, MKV or AVI file; copy it from the camera again if it was cut short")),
+             reader.error().message().c_str());
+}
+
 void TestForeignFiles::pixelFormats_data()
 {
     QTest::addColumn<QString>("encoder");
@@ -125,6 +139,26 @@ void TestForeignFiles::pixelFormats()
         QCOMPARE(int(frame.v.at(x, y)), values[2]);
     }
     QCOMPARE(int((*reader)->frameAt(2).value().y.at(63, 47)), 42);
+}
+
+void TestForeignFiles::coloursWithoutANameCountAsNotStated()
+{
+    const libav::ParametersPtr parameters(avcodec_parameters_alloc());
+    const auto state = [](auto &what, int number) { std::memcpy(&what, &number, sizeof what); };
+    state(parameters->color_space, 67); // in unknown_colours.m2v of the fuzzing seeds
+    state(parameters->color_range, 3);
+    state(parameters->chroma_location, -1);
+    libav::forgetUnknownColours(*parameters);
+    QCOMPARE(parameters->color_space, AVCOL_SPC_UNSPECIFIED);
+    QCOMPARE(parameters->color_range, AVCOL_RANGE_UNSPECIFIED);
+    QCOMPARE(parameters->chroma_location, AVCHROMA_LOC_UNSPECIFIED);
+    parameters->color_space = AVCOL_SPC_BT709;
+    parameters->color_range = AVCOL_RANGE_JPEG;
+    parameters->chroma_location = AVCHROMA_LOC_TOPLEFT;
+    libav::forgetUnknownColours(*parameters);
+    QCOMPARE(parameters->color_space, AVCOL_SPC_BT709);
+    QCOMPARE(parameters->color_range, AVCOL_RANGE_JPEG);
+    QCOMPARE(parameters->chroma_location, AVCHROMA_LOC_TOPLEFT);
 }
 
 void TestForeignFiles::refusedPixelFormats_data()
