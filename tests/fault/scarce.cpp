@@ -54,6 +54,7 @@ bool isToFail(Scarce what)
     return watches && watched == static_cast<int>(what) && ++asked == failing;
 }
 
+// What new and delete are made of here. NOLINTBEGIN(cppcoreguidelines-no-malloc)
 void *allocated(std::size_t size, std::size_t alignment, const void *caller)
 {
     const bool isOurs = watches && (ours[0].holds(caller) || ours[1].holds(caller));
@@ -144,6 +145,7 @@ void operator delete(void *memory, std::size_t, std::align_val_t) noexcept
 {
     std::free(memory);
 }
+// NOLINTEND(cppcoreguidelines-no-malloc)
 
 /// libav's only way to memory.
 extern "C" int posix_memalign(void **memory, std::size_t alignment, std::size_t size) noexcept

@@ -21,8 +21,6 @@ using namespace odo;
 using namespace odo::test;
 using namespace std::chrono_literals;
 
-namespace fs = std::filesystem;
-
 namespace {
 
 constexpr double clipS = 30, mostMissingS = 1.0;

@@ -69,7 +69,7 @@ QStringList found(const QString &text, const char *pattern)
 QStringList anchorsOf(const QString &file)
 {
     QStringList anchors;
-    for (QString heading : found(u'\n' + contentOf(file), "\\n#+ ([^\\n]+)"))
+    for (const QString &heading : found(u'\n' + contentOf(file), "\\n#+ ([^\\n]+)"))
         anchors << heading.toLower().remove(QRegularExpression(QStringLiteral("[^\\w\\- ]"), QRegularExpression::UseUnicodePropertiesOption)).replace(u' ', u'-');
     return anchors;
 }

@@ -312,7 +312,7 @@ private Q_SLOTS:
             emoji += "🤖";
         for (const std::string &name :
              {emoji, std::string("<img src=file:///etc/passwd>"), std::string("'; DROP TABLE robot;--"),
-              std::string("\xe2\x80\xae"
+              std::string("\xe2\x80\xae" // NOLINT(misc-misleading-bidirectional): such a name is what is stored
                           "abc")}) {
             QVERIFY((*m_project)->robots().add(robotNamed(name)).has_value());
             QCOMPARE((*m_project)->robots().find(name)->name, name);

@@ -312,7 +312,7 @@ private Q_SLOTS:
         for (int camera = 0; camera < 2; ++camera) {
             const Frame frame = SceneRenderer(scene, camera).render(0);
             image_u8_t image = {frame.y.width, frame.y.height, static_cast<std::int32_t>(frame.y.stride),
-                                const_cast<std::uint8_t *>(frame.y.data)};
+                                const_cast<std::uint8_t *>(frame.y.data)}; // NOLINT(cppcoreguidelines-pro-type-const-cast): is only read
             zarray_t *found = apriltag_detector_detect(detector, &image);
             QCOMPARE(zarray_size(found), 4);
             for (int i = 0; i < zarray_size(found); ++i) {

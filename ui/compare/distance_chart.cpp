@@ -2,6 +2,7 @@
 #include "ui/compare/distance_chart.h"
 
 #include "ui/models/comparison_explanation.h"
+#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
 #include "ui/models/shown_units.h"
 #include "ui/models/timeline.h"
@@ -62,7 +63,7 @@ void DistanceArea::paintCursor(QPainter &painter) const
             continue;
         QString text = figureText(value->value, value->sigma, comparedUnit(m_what)).text();
         if (m_what == Compared::Speed || m_curves.size() > 1)
-            text.prepend(QString::fromStdString(m_scene->name(curve.run)) + QStringLiteral(": "));
+            text = joinedWords(QString::fromStdString(m_scene->name(curve.run)), text);
         const QRectF bubble =
             drawChartBubble(painter, shown, {distance, value->value}, top, text, seriesColour(int(curve.run), palette()), palette());
         m_bubbles->add(bubble, [scene = m_scene, what = m_what, run = curve.run, distance, value = *value] {

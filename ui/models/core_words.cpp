@@ -164,9 +164,10 @@ QString replaced(const QString &pattern, const QHash<int, QString> &values)
     return text;
 }
 
+/// A number, be it with its unit, as the language writes it; anything else as it is.
 QString localNumber(QString value)
 {
-    static const QRegularExpression decimal(QStringLiteral("^-?[0-9]+\\.[0-9]+$"));
+    static const QRegularExpression decimal(QStringLiteral("^-?[0-9]+\\.[0-9]+( (px|mm|m|ms|s|%|°))?$"));
     if (decimal.match(value).hasMatch())
         value.replace(u'.', QLocale().decimalPoint());
     return value;
@@ -190,20 +191,20 @@ std::optional<QString> shownPart(const QString &english)
     if (!found.pattern)
         return std::nullopt;
     const QString pattern = translated(found.pattern->english);
-    QString words = pattern;
+    QString sentence = pattern;
     if (found.compiled) {
         QHash<int, QString> values;
         for (std::size_t i = 0; i < found.compiled->numbers.size(); ++i) {
             const int number = found.compiled->numbers[i];
             const QString value = found.values.at(qsizetype(i));
-            values[number] = found.compiled->holdsPhrase(number)                    ? shownWords(value)
-                             : found.compiled->holdsList(number)                    ? shownList(value)
-                             : pattern == QString::fromUtf8(found.pattern->english) ? value
-                                                                                    : localNumber(value);
+            const QString words = found.compiled->holdsPhrase(number) ? shownWords(value)
+                                  : found.compiled->holdsList(number) ? shownList(value)
+                                                                      : value;
+            values[number] = pattern == QString::fromUtf8(found.pattern->english) ? words : localNumber(words);
         }
-        words = replaced(pattern, values);
+        sentence = replaced(pattern, values);
     }
-    return stops ? fullSentence(words) : words;
+    return stops ? fullSentence(sentence) : sentence;
 }
 
 QString joinedBy(const QString &first, QChar sign, const QString &second)

@@ -290,7 +290,7 @@ QStringList flagMeanings(SampleFlags flags)
 
 QString Explanation::text() const
 {
-    QStringList parts{value.isEmpty() ? what : what + QStringLiteral(": ") + value};
+    QStringList parts{value.isEmpty() ? what : joinedWords(what, value)};
     const auto add = [&parts](const QString &name, const QString &words) {
         if (!words.isEmpty())
             parts << QString() << name << words;

@@ -19,17 +19,21 @@ class ScoreTextWords
     Q_DECLARE_TR_FUNCTIONS(ScoreText)
 };
 
+QString tenths(double points)
+{
+    return QLocale().toString(std::round(points * 10) / 10, 'f', 1);
+}
+
 /// Tenths of a point at the finest.
 QString pointsText(double points)
 {
-    return QLocale().toString(std::round(points * 10) / 10, 'f',
-                              std::abs(points - std::round(points)) < 0.05 ? 0 : 1);
+    return std::abs(points - std::round(points)) < 0.05 ? QLocale().toString(std::round(points), 'f', 0) : tenths(points);
 }
 
-QString withSigma(double points, double sigma)
+/// With its σ where that is seen in tenths, both of which then show them.
+FigureText pointsFigure(double points, double sigma, const QString &unit = {})
 {
-    const QString text = pointsText(points);
-    return sigma < 0.05 ? text : QStringLiteral("%1 ±%2").arg(text, pointsText(sigma));
+    return sigma < 0.05 ? FigureText{pointsText(points), {}, unit} : FigureText{tenths(points), tenths(sigma), unit};
 }
 
 QString boundText(const std::string &metric, double value)
@@ -47,9 +51,9 @@ QString lineText(const CriterionScore &line)
     const QString figure = metricFigure(*line.metric).text();
     if (line.criterion.points < 0)
         return ScoreTextWords::tr("%1 %2: %3 points (%4)")
-            .arg(name, figure, withSigma(line.points, line.sigma), rule);
+            .arg(name, figure, pointsFigure(line.points, line.sigma).text(), rule);
     return ScoreTextWords::tr("%1 %2: %3 of %4 points (%5)")
-        .arg(name, figure, withSigma(line.points, line.sigma), pointsText(line.criterion.points), rule);
+        .arg(name, figure, pointsFigure(line.points, line.sigma).text(), pointsText(line.criterion.points), rule);
 }
 
 } // namespace
@@ -80,14 +84,12 @@ BoundUnit boundUnit(const std::string &metric)
 
 QString scoreText(const Score &score)
 {
-    return ScoreTextWords::tr("%1 of %2").arg(withSigma(score.points, score.sigma), pointsText(score.most));
+    return ScoreTextWords::tr("%1 of %2").arg(pointsFigure(score.points, score.sigma).text(), pointsText(score.most));
 }
 
 FigureText scoreFigure(const Score &score)
 {
-    const bool isSure = score.sigma < 0.05;
-    return {pointsText(score.points), isSure ? QString() : pointsText(score.sigma),
-            ScoreTextWords::tr("of %1").arg(pointsText(score.most))};
+    return pointsFigure(score.points, score.sigma, ScoreTextWords::tr("of %1").arg(pointsText(score.most)));
 }
 
 Explanation explainScore(const Score &score, const QStringList &inputs)

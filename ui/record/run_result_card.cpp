@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/run_result_card.h"
 
+#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
 #include "ui/models/metric_choice.h"
 #include "ui/views/figure_grid.h"
@@ -71,9 +72,10 @@ void RunResultCard::setResults(const QString &trial, const std::vector<Result> &
     std::vector<NamedFigure> figures;
     const std::size_t each = results.size() > 1 ? 2 : 5;
     for (const Result &result : results) {
-        const QString whose = results.size() > 1 ? result.robot + QStringLiteral(": ") : QString();
-        for (const Metric &metric : shownMetrics(result.metrics, each))
-            figures.push_back({whose + metricName(metric.name), metricFigure(metric)});
+        for (const Metric &metric : shownMetrics(result.metrics, each)) {
+            const QString name = metricName(metric.name);
+            figures.push_back({results.size() > 1 ? joinedWords(result.robot, name) : name, metricFigure(metric)});
+        }
         if (results.size() == 1)
             figures.push_back({tr("Spikes flagged"), figureText(double(result.spikes), std::nullopt, {})});
     }

@@ -164,9 +164,9 @@ void addTask(const TrialScene &scene, QList<Fact> &facts)
         const std::optional<Score> score = scoreOf(scene, robot);
         if (!score)
             continue;
-        const QString who = scene.robots.size() == 1 ? QString() : QString::fromStdString(scene.robots[robot].robot.name) + QStringLiteral(": ");
+        const QString points = scoreText(*score);
         facts.append({TrialFactsWords::tr("Score"),
-                      who + scoreText(*score),
+                      scene.robots.size() == 1 ? points : joinedWords(QString::fromStdString(scene.robots[robot].robot.name), points),
                       {},
                       explainScore(*score, analysisInputs(scene, robot))});
     }

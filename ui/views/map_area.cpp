@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/map_area.h"
 
+#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
 #include "ui/models/timeline.h"
 #include "ui/views/chart_painting.h"
@@ -82,11 +83,9 @@ void MapArea::paintDisagreements(QPainter &painter) const
     std::vector<const Disagreement *> places;
     QStringList words;
     for (std::size_t robot = 0; robot < m_disagreements.size(); ++robot) {
-        const QString name =
-            m_disagreements.size() > 1
-                ? QString::fromStdString(m_scene->robots[robot].robot.name) + QStringLiteral(": ")
-                : QString();
-        words << name + disagreementWords(m_disagreements[robot]);
+        const QString disagreement = disagreementWords(m_disagreements[robot]);
+        words << (m_disagreements.size() > 1 ? joinedWords(QString::fromStdString(m_scene->robots[robot].robot.name), disagreement)
+                                             : disagreement);
         for (const Disagreement &place : m_disagreements[robot].places)
             places.push_back(&place);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/trial_curves.h"
 
+#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
 #include "ui/views/curve_painting.h"
 #include "ui/views/robot_colours.h"
@@ -92,9 +93,8 @@ QList<ShownValue> TrialCurves::drawValues(QPainter &painter, const ChartPlot &pl
         if (!value || place < plot.low || place > plot.high)
             continue;
         const QString figure = figureText(value->value, value->sigma, unit).text();
-        const QString text = m_curves.size() > 1
-                                 ? QString::fromStdString(m_scene->robots[robot].robot.name) + QStringLiteral(": ") + figure
-                                 : figure;
+        const QString text =
+            m_curves.size() > 1 ? joinedWords(QString::fromStdString(m_scene->robots[robot].robot.name), figure) : figure;
         const QRectF bubble = drawChartBubble(painter, plot, {place, value->value}, top, text,
                                               seriesColour(m_places[robot], palette), palette);
         shown.append({robot, bubble, figure});

@@ -54,6 +54,8 @@ public:
             {QStringLiteral("Good: %1"), QStringLiteral("Gut: %1")},
             {QStringLiteral("jump of %1 mm"), QStringLiteral("Sprung von %1 mm")},
             {QStringLiteral("one left out"), QStringLiteral("eine weggelassen")},
+            {QStringLiteral("it foretells pictures held out to %1, the %2 one no better (%3)"),
+             QStringLiteral("es sagt andere Bilder auf %1 voraus, %2 nicht besser (%3)")},
             {QStringLiteral("views disagree by %1 mm"), QStringLiteral("%1 mm Abweichung")},
             {QStringLiteral("in step to %1 ms"), QStringLiteral("synchron auf %1 ms")},
             {QStringLiteral("Not found again: %1"), QStringLiteral("Nicht gefunden: %1")},
@@ -351,6 +353,8 @@ void TestCoreWords::figuresAndNamesGoOver()
     QCOMPARE(shownWords(std::string("views disagree by 84 mm; one left out")),
              QStringLiteral("84 mm Abweichung; eine weggelassen"));
     QCOMPARE(shownWords(std::string("in step to 1.2 ms")), QStringLiteral("synchron auf 1,2 ms"));
+    QCOMPARE(shownWords(std::string("it foretells pictures held out to 0.055 px, the fisheye one no better (0.059 px)")),
+             QStringLiteral("es sagt andere Bilder auf 0,055 px voraus, fisheye nicht besser (0,059 px)"));
     QCOMPARE(shownWords(std::string("Not found again: O, U and V.")),
              QStringLiteral("Nicht gefunden: O, U und V."));
     QCOMPARE(shownWords(std::string("Good: jump of 3 mm.")), QStringLiteral("Gut: Sprung von 3 mm."));

@@ -20,11 +20,11 @@ private Q_SLOTS:
                                             {"best_lap", 4, 10, 5}};
         const Score score = scoreOf(
             rubric, {{"gate_time", "s", 7, 0.2}, {"path_completed", "1", 0.75, {}}, {"spikes", "1", 3, {}}});
-        QCOMPARE(scoreText(score), QString::fromUtf8("17 ±1 of 45"));
-        QCOMPARE(scoreFigure(score).smallPrint(), QString::fromUtf8("of 45 ±1"));
+        QCOMPARE(scoreText(score), QString::fromUtf8("17.0 ±1.0 of 45"));
+        QCOMPARE(scoreFigure(score).smallPrint(), QString::fromUtf8("of 45 ±1.0"));
         const QStringList lines = scoreLines(score);
         QCOMPARE(lines.size(), 4);
-        QCOMPARE(lines[0], QString::fromUtf8("Start to finish 7.0 ±0.2\u00a0s: 15 ±1 of 30 points (30 points "
+        QCOMPARE(lines[0], QString::fromUtf8("Start to finish 7.0 ±0.2\u00a0s: 15.0 ±1.0 of 30 points (30 points "
                                              "at 4\u00a0s or less, none at 10\u00a0s or more)"));
         QVERIFY2(lines[1].endsWith(QString::fromUtf8(
                      "5 of 10 points (10 points at 100\u00a0% or more, none at 50\u00a0% or less)")),

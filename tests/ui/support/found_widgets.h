@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QWidget>
+#include <algorithm>
 
 // What a test finds in a window, as a person would: by words. What must be there and is not ends the test.
 namespace odo::test {
@@ -54,10 +55,8 @@ inline void pressKeys(const QWidget &dialog, const QKeySequence &keys)
 /// Some label of the window has these words.
 inline bool says(const QWidget &window, const char *words)
 {
-    for (const QLabel *label : window.findChildren<QLabel *>())
-        if (label->text().contains(QString::fromUtf8(words)))
-            return true;
-    return false;
+    return std::ranges::any_of(window.findChildren<QLabel *>(),
+                               [&](const QLabel *label) { return label->text().contains(QString::fromUtf8(words)); });
 }
 
 } // namespace odo::test
