@@ -21,9 +21,9 @@ std::vector<Seen> inOrder(const std::vector<ViewTrack> &tracks)
 {
     std::vector<Seen> all;
     for (std::size_t v = 0; v < tracks.size(); ++v) {
-        for (Observation observation : tracks[v].observations) {
-            observation.time += tracks[v].startOffset;
+        for (const Observation &observation : tracks[v].observations) {
             all.push_back({v, observation});
+            all.back().observation.time += tracks[v].startOffset;
         }
     }
     std::ranges::stable_sort(all, {}, [](const Seen &seen) { return seen.observation.time; });

@@ -79,9 +79,9 @@ private Q_SLOTS:
         std::mt19937 random(1);
         auto metrics = byName(measured(circleWithRests(0.5, 2, 0.8, 4), 7, 0.0005, random));
         const auto near = [&](const char *name, double value, double tolerance) {
-            const bool is = metrics.count(name) && std::abs(metrics[name].value - value) <= tolerance;
+            const bool is = metrics.contains(name) && std::abs(metrics[name].value - value) <= tolerance;
             if (!is)
-                qWarning("%s is %f", name, metrics.count(name) ? metrics[name].value : 0.0);
+                qWarning("%s is %f", name, metrics.contains(name) ? metrics[name].value : 0.0);
             return is;
         };
         QVERIFY(near("path_length", 3.52, 0.01));
