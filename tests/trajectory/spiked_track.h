@@ -109,7 +109,7 @@ inline void displace(SpikedTrack &track, std::size_t index, const Eigen::Vector2
 inline bool isFree(const SpikedTrack &track, std::size_t first, std::size_t length, std::size_t distance)
 {
     for (std::size_t i = first > distance ? first - distance : 0; i < first + length + distance; ++i) {
-        if (track.spikes.count(i) || track.doubtful.count(i))
+        if (track.spikes.contains(i) || track.doubtful.contains(i))
             return false;
     }
     return true;

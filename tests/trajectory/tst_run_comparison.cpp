@@ -286,8 +286,8 @@ private Q_SLOTS:
     {
         const Profile whole = exact(evenRun(0.5, 0.5), 6);
         Profile gap = exact(evenRun(0.5, 0.5), 6);
-        for (std::size_t i = 0; i < gap.points.size(); ++i)
-            gap.points[i].valid = std::abs(gap.points[i].position.x() - 1.2) > 0.1;
+        for (ProfilePoint &point : gap.points)
+            point.valid = std::abs(point.position.x() - 1.2) > 0.1;
         const auto comparison = compared(whole, gap, byTask());
         QVERIFY2(comparison, qPrintable(message(comparison)));
         QVERIFY(!comparison->timeDifferenceAt(1, 1.2) && comparison->timeDifferenceAt(1, 1.0) &&

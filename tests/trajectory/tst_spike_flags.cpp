@@ -59,7 +59,7 @@ struct Score
         injected += static_cast<int>(truth.size());
         flagged += static_cast<int>(found.size());
         hit += static_cast<int>(std::count_if(truth.begin(), truth.end(),
-                                              [&](std::int64_t frame) { return found.count(frame) > 0; }));
+                                              [&](std::int64_t frame) { return found.contains(frame); }));
     }
     double recall() const { return double(hit) / injected; }
     double precision() const { return double(hit) / flagged; }
@@ -108,7 +108,7 @@ private Q_SLOTS:
             worst = std::max(worst, errorsOf(*profile, course).velocityMps);
             for (const Spike &spike : profile->spikes) {
                 const Sample &sample = profile->samples[static_cast<std::size_t>(spike.sampleIndex)];
-                if (truth.count(sample.frame) == 0)
+                if (!truth.contains(sample.frame))
                     continue;
                 // The other view is used, so nothing is missing.
                 QVERIFY(hasFlag(sample.flags, SampleFlag::ViewsDisagree));

@@ -99,10 +99,10 @@ struct Score
         injected += track.spikes.size();
         for (std::size_t i = 0; i < track.samples.size(); ++i) {
             const bool flagged = hasFlag(track.samples[i].flags, SampleFlag::Jump);
-            const bool spike = track.spikes.count(i) > 0;
+            const bool spike = track.spikes.contains(i);
             hit += flagged && spike;
-            falseFlags += flagged && !spike && track.doubtful.count(i) == 0;
-            if (flagged != spike && track.doubtful.count(i) == 0)
+            falseFlags += flagged && !spike && !track.doubtful.contains(i);
+            if (flagged != spike && !track.doubtful.contains(i))
                 misses += (spike ? " missed " : " false ") + std::to_string(seed) + ":" + std::to_string(i);
         }
     }

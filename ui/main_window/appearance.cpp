@@ -64,7 +64,7 @@ QString styleSheetOf(const QPalette &palette)
     return sheet;
 }
 
-bool desktopIsDark(QApplication &application)
+bool desktopIsDark()
 {
     // Without a palette of ours the application shows the desktop's (Qt 6.4 has no other way to ask for it).
     QApplication::setPalette(QPalette());
@@ -100,7 +100,7 @@ void applyAppearance(QApplication &application, Theme theme)
         QApplication::setStyle(new FramedStyle);
         QApplication::setWindowIcon(themeIcon(QStringLiteral("odograph")));
     }
-    const bool dark = theme == Theme::System ? desktopIsDark(application) : theme == Theme::Dark;
+    const bool dark = theme == Theme::System ? desktopIsDark() : theme == Theme::Dark;
     const QPalette palette = dark ? darkPalette() : lightPalette();
     QApplication::setPalette(palette);
     application.setStyleSheet(styleSheetOf(palette));

@@ -223,19 +223,23 @@ Result<void> Workspace::makeAndOpen(std::function<Result<std::filesystem::path>(
     connect(m_making.get(), &BackgroundTask::progressed, this, &Workspace::jobProgressed);
     const auto made = std::make_shared<Made>();
     connect(m_making.get(), &BackgroundTask::finished, this,
-            [this, made, whenOpen = std::move(whenOpen)](const std::optional<Error> &error) {
-                finishJob(error);
-                if (error) {
+            [this, made, words, whenOpen = std::move(whenOpen)](const std::optional<Error> &error) {
+                Ready ready = std::move(made->ready); // and with it the lock, whatever comes
+                // Asked here, not on the task's thread: what is cancelled after that has ended does not open either.
+                const std::optional<Error> outcome =
+                    !error && m_making->isCancelled() ? cancelled(words.toStdString()).value() : error;
+                finishJob(outcome);
+                if (outcome) {
                     if (!made->damaged.empty())
                         Q_EMIT backupFound(made->damaged);
                     return;
                 }
-                if (const Result<void> shown = show(std::move(made->ready)); !shown)
+                if (const Result<void> shown = show(std::move(ready)); !shown)
                     Q_EMIT jobFailed(shown.error());
                 else if (whenOpen)
                     whenOpen();
             });
-    m_making->start([made, words, openHere = openHere(), make = std::move(make)](const JobControl &control) -> Result<void> {
+    m_making->start([made, openHere = openHere(), make = std::move(make)](const JobControl &control) -> Result<void> {
         const Result<std::filesystem::path> file = make(control);
         if (!file)
             return tl::unexpected(file.error());
@@ -245,8 +249,6 @@ Result<void> Workspace::makeAndOpen(std::function<Result<std::filesystem::path>(
             const bool isOpenHere = !openHere.empty() && std::filesystem::equivalent(*file, openHere, problem);
             return tl::unexpected(isOpenHere ? looked.error() : offeringABackup(looked.error(), *file, *made));
         }
-        if (control.isCancelled())
-            return cancelled(words.toStdString());
         made->ready = std::move(*looked);
         return {};
     });

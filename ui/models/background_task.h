@@ -25,6 +25,8 @@ public:
     /// False when it runs already.
     bool start(Work work);
     void cancel() { m_cancel.cancel(); }
+    /// Whether cancel was called since the start; the work may have come to its end all the same.
+    bool isCancelled() const { return m_cancel.isCancelled(); }
 
 Q_SIGNALS:
     void progressed(double fraction, const QString &text);

@@ -302,7 +302,7 @@ private Q_SLOTS:
             return text;
         };
         const auto explained = [&](const char *name, int row) {
-            QTableView *table = this->table(*shown.page, name);
+            QTableView *table = TestComparePage::table(*shown.page, name);
             table->setCurrentIndex(table->model()->index(row, 0));
             table->findChild<QAction *>(QStringLiteral("howComputed"))->trigger();
             return explanation();

@@ -67,18 +67,17 @@ private:
 QStringList namelessWidgets(const QWidget &root)
 {
     QStringList nameless;
-    for (const QWidget *widget : root.findChildren<QWidget *>()) {
+    for (QWidget *widget : root.findChildren<QWidget *>()) {
         if (widget->focusPolicy() == Qt::NoFocus || widget->focusProxy() != nullptr)
             continue;
         if (widget->window() != &root)
             continue; // the list that a combo box pops up speaks for its box
-        if (qobject_cast<const QLabel *>(widget))
+        if (qobject_cast<QLabel *>(widget))
             continue; // a text that can be marked and copied is its own name
         if (!widget->inherits("QAbstractScrollArea") && qobject_cast<QWidget *>(widget->parent()) &&
             widget->objectName().startsWith(QLatin1String("qt_")))
             continue; // inner parts of Qt's own widgets speak for their owner
-        const QAccessibleInterface *speech =
-            QAccessible::queryAccessibleInterface(const_cast<QWidget *>(widget));
+        const QAccessibleInterface *speech = QAccessible::queryAccessibleInterface(widget);
         const QString name = speech ? speech->text(QAccessible::Name) : QString();
         if (name.trimmed().isEmpty())
             nameless << QStringLiteral("%1 \"%2\" in %3")

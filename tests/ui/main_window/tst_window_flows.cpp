@@ -83,8 +83,8 @@ private:
     void write(const QString &name, const QByteArray &content) const;
     void renderMaterial() const;
     /// Triggers the action of this text and answers its dialogs; waits for the job that may follow.
-    void run(const char *action, const QList<Answer> &answers);
-    void runAndCancel(const char *action, const Answer &answer);
+    void run(const char *text, const QList<Answer> &answers);
+    void runAndCancel(const char *text, const Answer &answer);
     QString message() const { return m_window->findChild<MessageBar *>()->text(); }
     Project &project() const { return *m_window->workspace().project(); }
     QStringList content() const { return contentOf(project()); }

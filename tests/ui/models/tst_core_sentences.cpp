@@ -70,10 +70,9 @@ bool isKnownFrom(const QString &words, qsizetype from, int places)
     const qsizetype at = words.indexOf(u'Q', from);
     if (at < 0 || places == 0)
         return isKnownAsItIs(words);
-    for (const QString &each : computed())
-        if (isKnownFrom(QString(words).replace(at, 1, each), at + each.size(), places - 1))
-            return true;
-    return false;
+    return std::ranges::any_of(computed(), [&](const QString &each) {
+        return isKnownFrom(QString(words).replace(at, 1, each), at + each.size(), places - 1);
+    });
 }
 
 bool isKnown(const QString &sentence)

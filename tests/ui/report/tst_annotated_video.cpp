@@ -253,7 +253,7 @@ private Q_SLOTS:
             return painted(scene, Nanoseconds(0));
         };
         const QImage plain = shown("Run"), markup = shown("<b>Run</b>"), endless = shown(std::string(10'000, 'W')),
-                     turned = shown("\u202eRun");
+                     turned = shown("\u202eRun"); // NOLINT(misc-misleading-bidirectional): such a name is what is shown
         QVERIFY(markup != plain); // the signs of it are shown
         // Neither the time nor the other view is touched by a name.
         for (const QRect &place : {QRect(1000, 0, 280, 44), QRect(660, 60, 600, 300)})

@@ -373,7 +373,7 @@ void TestTasksDialog::everyWidgetHasAName()
 {
     TaskEditor editor(draftOf(TaskTemplate::Slalom));
     TasksDialog dialog(*m_project);
-    for (const QWidget *window : {static_cast<QWidget *>(&editor), static_cast<QWidget *>(&dialog)})
+    for (const QWidget *window : std::initializer_list<const QWidget *>{&editor, &dialog})
         for (QWidget *each : window->findChildren<QWidget *>()) {
             const bool isReached =
                 each->focusPolicy() != Qt::NoFocus && !qobject_cast<QAbstractButton *>(each) &&
