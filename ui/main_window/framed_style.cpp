@@ -52,9 +52,10 @@ void FramedStyle::drawComplexControl(ComplexControl control, const QStyleOptionC
 
 QSize FramedStyle::sizeFromContents(ContentsType type, const QStyleOption *option, const QSize &size, const QWidget *widget) const
 {
-    constexpr int mostLetters = 44;
+    constexpr int mostLetters = 44; // a name may be of any length; what does not fit is cut
     QSize wanted = QProxyStyle::sizeFromContents(type, option, size, widget);
-    if (type == CT_ComboBox) // a name may be of any length; what does not fit is cut
+    const auto *choice = type == CT_ComboBox ? qobject_cast<const QComboBox *>(widget) : nullptr;
+    if (choice && choice->sizeAdjustPolicy() != QComboBox::AdjustToMinimumContentsLengthWithIcon)
         wanted.setWidth(std::min(wanted.width(), mostLetters * option->fontMetrics.averageCharWidth()));
     return wanted;
 }

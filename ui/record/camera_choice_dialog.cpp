@@ -32,8 +32,8 @@ CameraChoiceDialog::CameraChoiceDialog(std::vector<ChosenCamera> cameras, LiveCa
     for (const auto &[name, uri] : m_cameras) {
         auto *box = new QComboBox;
         box->setAccessibleName(tr("Device that is camera %1").arg(QString::fromStdString(name)));
-        box->setMinimumContentsLength(36);
-        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        box->setMinimumContentsLength(52); // a name of a device and its picture, before they are found
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         connect(box, &QComboBox::currentIndexChanged, this, &CameraChoiceDialog::check);
         auto *settings = plainButton(tr("Settings…"));
         settings->setAccessibleName(tr("Settings of camera %1").arg(QString::fromStdString(name)));
@@ -89,10 +89,6 @@ void CameraChoiceDialog::fill()
         box.setCurrentIndex(std::max(0, box.findData(now)));
     }
     check();
-    if (isVisible()) { // cameras are found when it is shown already
-        layout()->activate();
-        resize(size().expandedTo(sizeHint()));
-    }
 }
 
 void CameraChoiceDialog::check()

@@ -11,7 +11,7 @@
 namespace odo {
 
 ChosenCameras::ChosenCameras(Project &project, CameraAccess access, QObject *parent)
-    : QObject(parent), m_project(project), m_connected(std::move(access.list)),
+    : QObject(parent), m_project(project), m_connected(std::move(access.list), this),
       m_running(std::move(access.open))
 {
     connect(&m_connected, &LiveCameras::changed, this, [this] {

@@ -36,7 +36,7 @@ constexpr int columnWidth = 320;
 } // namespace
 
 RecordPage::RecordPage(Project &project, bool readOnly, CameraAccess access, QWidget *parent)
-    : QWidget(parent), m_project(project), m_cameras(project, std::move(access)),
+    : QWidget(parent), m_project(project), m_cameras(project, std::move(access), this),
       m_control(steadyNow), m_recorder(new RunRecorder(project.file(), this)),
       m_troubleBar(new TroubleBar), m_start(new StartCard), m_run(new RunCard), m_result(new RunResultCard),
       m_results(new RunResults(project, *m_result, this)),

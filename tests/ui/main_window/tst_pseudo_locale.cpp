@@ -6,12 +6,14 @@
 #include "ui/main_window/appearance.h"
 #include "ui/main_window/language.h"
 #include "ui/main_window/main_window.h"
+#include "ui/models/live_cameras.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QDialog>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <net/if.h>
 
 using namespace odo;
@@ -69,6 +71,13 @@ QStringList cutOffAtLast(const QWidget &window)
     return QTest::qWaitFor(fits, 3000) ? QStringList() : cut;
 }
 
+/// What is found of cameras changes dialogs that are shown.
+void waitForCameras(const MainWindow &window)
+{
+    const auto isFound = [&window] { return std::ranges::none_of(window.findChildren<LiveCameras *>(), &LiveCameras::isLooking); };
+    QVERIFY(QTest::qWaitFor(isFound, 30'000));
+}
+
 } // namespace
 
 void TestPseudoLocale::initTestCase()
@@ -103,6 +112,7 @@ void TestPseudoLocale::dialogs()
 {
     QStringList raw;
     const int dialogs = test::lookAtDialogs(*m_window, [&](const QAction &command, QDialog &dialog) {
+        waitForCameras(*m_window);
         for (const QString &each : test::untranslatedIn(dialog, known()))
             raw << command.text() + QStringLiteral(" · ") + each;
     });
@@ -135,6 +145,7 @@ void TestPseudoLocale::everyLanguageFits()
         cut << cutOffAtLast(window);
     }
     test::lookAtDialogs(window, [&](const QAction &command, QDialog &dialog) {
+        waitForCameras(window);
         for (const QString &each : cutOffAtLast(dialog))
             cut << command.text() + QStringLiteral(" · ") + each;
     });

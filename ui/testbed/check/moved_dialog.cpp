@@ -154,7 +154,7 @@ void MovedDialog::offerLive(int row, const CameraDescription &live)
     const QString uri = QString::fromStdString(live.uri);
     if (choice->findData(uri, uriRole) >= 0)
         return;
-    choice->insertItem(0, QString::fromStdString(live.name));
+    choice->insertItem(0, shownDeviceName(live));
     choice->setItemData(0, uri, uriRole);
     Row &of = m_rows[std::size_t(row)];
     if (of.chosen || !isTheCamera(uri, of.camera))
