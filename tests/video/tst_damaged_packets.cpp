@@ -215,7 +215,7 @@ void TestDamagedPackets::cutOff()
             if (frames < framesBefore)
                 problem = QStringLiteral("fewer frames than of a shorter file");
             for (const auto &[time, print] : found.frames)
-                if (m_whole.frames.count(time) == 0 || (m_whole.frames.at(time) != print && time < found.info.frameTimes.back().count()))
+                if (!m_whole.frames.contains(time) || (m_whole.frames.at(time) != print && time < found.info.frameTimes.back().count()))
                     problem = QStringLiteral("another picture at %1 ns").arg(time);
             framesBefore = std::max(framesBefore, frames);
             if (!problem.isEmpty())

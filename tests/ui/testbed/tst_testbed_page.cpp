@@ -16,6 +16,7 @@
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 
 using namespace odo;
 
@@ -104,10 +105,10 @@ void TestTestbedPage::mapsTheAccuracyToExpect()
     page.show();
     QTRY_VERIFY(page.isSettled());
     const auto told = [&page] {
-        for (const QLabel *label : page.findChildren<QLabel *>())
-            if (label->text().contains(QLatin1String("mm in the middle")) || label->toolTip().contains(QLatin1String("mm in the middle")))
-                return true;
-        return false;
+        const QLatin1String words("mm in the middle");
+        return std::ranges::any_of(page.findChildren<QLabel *>(), [words](const QLabel *label) {
+            return label->text().contains(words) || label->toolTip().contains(words);
+        });
     };
     QTRY_VERIFY(told());
     page.findChild<QCheckBox *>()->click();

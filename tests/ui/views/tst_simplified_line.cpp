@@ -52,7 +52,7 @@ class TestSimplifiedLine : public QObject
 private Q_SLOTS:
     void shortLinesStay()
     {
-        for (const QPolygonF &line : {QPolygonF(), QPolygonF({{1, 2}}), QPolygonF({{1, 2}, {1, 2}})})
+        for (const QPolygonF &line : {QPolygonF(), QPolygonF({QPointF(1, 2)}), QPolygonF({QPointF(1, 2), QPointF(1, 2)})})
             QCOMPARE(simplified(line, 0.2), line);
     }
     void aStraightLineNeedsItsEnds()
