@@ -14516,6 +14516,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>The backup was restored. The damaged file is kept as “%1”.</source>
         <translation>Die Sicherungskopie ist wiederhergestellt. Die beschädigte Datei bleibt als „%1“ erhalten.</translation>
     </message>
+    <message>
+        <source>“%1” was written before you cancelled. It was not opened.</source>
+        <translation>„%1“ war schon geschrieben, als Sie abgebrochen haben. Geöffnet wurde es nicht.</translation>
+    </message>
 </context>
 <context>
     <name>odo::ZoneTable</name>

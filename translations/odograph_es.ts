@@ -14516,6 +14516,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>The backup was restored. The damaged file is kept as “%1”.</source>
         <translation>La copia de seguridad se ha restaurado. El archivo dañado se conserva como «%1».</translation>
     </message>
+    <message>
+        <source>“%1” was written before you cancelled. It was not opened.</source>
+        <translation>«%1» ya estaba escrito cuando se canceló. No se abrió.</translation>
+    </message>
 </context>
 <context>
     <name>odo::ZoneTable</name>

@@ -14516,6 +14516,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>The backup was restored. The damaged file is kept as “%1”.</source>
         <translation>La copie de sauvegarde a été restaurée. Le fichier endommagé est conservé sous « %1 ».</translation>
     </message>
+    <message>
+        <source>“%1” was written before you cancelled. It was not opened.</source>
+        <translation>«&#xa0;%1&#xa0;» était déjà écrit lors de l’annulation. Il n’a pas été ouvert.</translation>
+    </message>
 </context>
 <context>
     <name>odo::ZoneTable</name>

@@ -14487,6 +14487,10 @@ Much more than expected means that something is not as it was told: the views ar
         <source>The backup was restored. The damaged file is kept as “%1”.</source>
         <translation>백업이 복원되었습니다. 손상된 파일은 “%1”(으)로 보관됩니다.</translation>
     </message>
+    <message>
+        <source>“%1” was written before you cancelled. It was not opened.</source>
+        <translation>취소하기 전에 “%1”이(가) 이미 기록되었습니다. 열지는 않았습니다.</translation>
+    </message>
 </context>
 <context>
     <name>odo::ZoneTable</name>

@@ -14487,6 +14487,10 @@ Much more than expected means that something is not as it was told: the views ar
         <source>The backup was restored. The damaged file is kept as “%1”.</source>
         <translation>备份已恢复。损坏的文件保留为“%1”。</translation>
     </message>
+    <message>
+        <source>“%1” was written before you cancelled. It was not opened.</source>
+        <translation>取消之前“%1”已经写入。没有打开它。</translation>
+    </message>
 </context>
 <context>
     <name>odo::ZoneTable</name>

@@ -52,6 +52,7 @@ struct Workspace::Ready
 struct Workspace::Made
 {
     Ready ready;
+    std::filesystem::path written = {}; ///< what was made for it, and stays in any case
     std::filesystem::path damaged = {}; ///< the project that could not be opened, where a sound backup lies beside it
 };
 
@@ -65,8 +66,8 @@ Result<void> Workspace::open(const std::filesystem::path &file)
 
 Result<void> Workspace::beginOpening(const std::filesystem::path &file, Done whenOpen)
 {
-    return makeAndOpen([file](const JobControl &) -> Result<std::filesystem::path> { return file; },
-                       tr("Opening %1").arg(QString::fromStdString(file.filename().string())), std::move(whenOpen));
+    return begin([file](const JobControl &, Made &) -> Result<std::filesystem::path> { return file; },
+                 tr("Opening %1").arg(QString::fromStdString(file.filename().string())), std::move(whenOpen));
 }
 
 /// The file that is open for writing; empty: none.
@@ -217,6 +218,18 @@ Result<void> Workspace::start(std::shared_ptr<Job> job, const QString &words, Do
 Result<void> Workspace::makeAndOpen(std::function<Result<std::filesystem::path>(const JobControl &)> make,
                                     const QString &words, Done whenOpen)
 {
+    const auto noting = [make = std::move(make)](const JobControl &control, Made &made) {
+        auto file = make(control);
+        if (file)
+            made.written = *file;
+        return file;
+    };
+    return begin(noting, words, std::move(whenOpen));
+}
+
+Result<void> Workspace::begin(std::function<Result<std::filesystem::path>(const JobControl &, Made &)> find,
+                              const QString &words, Done whenOpen)
+{
     if (isBusy())
         return busy(words);
     m_making = std::make_unique<BackgroundTask>();
@@ -232,6 +245,9 @@ Result<void> Workspace::makeAndOpen(std::function<Result<std::filesystem::path>(
                 if (outcome) {
                     if (!made->damaged.empty())
                         Q_EMIT backupFound(made->damaged);
+                    if (outcome->code == ErrorCode::Cancelled && !made->written.empty())
+                        Q_EMIT told(tr("“%1” was written before you cancelled. It was not opened.")
+                                        .arg(QString::fromStdString(made->written.filename().string())));
                     return;
                 }
                 if (const Result<void> shown = show(std::move(ready)); !shown)
@@ -239,8 +255,9 @@ Result<void> Workspace::makeAndOpen(std::function<Result<std::filesystem::path>(
                 else if (whenOpen)
                     whenOpen();
             });
-    m_making->start([made, openHere = openHere(), make = std::move(make)](const JobControl &control) -> Result<void> {
-        const Result<std::filesystem::path> file = make(control);
+    m_making->start([made, openHere = openHere(),
+                     find = std::move(find)](const JobControl &control) -> Result<void> {
+        const Result<std::filesystem::path> file = find(control, *made);
         if (!file)
             return tl::unexpected(file.error());
         auto looked = makeReady(*file, openHere);

@@ -72,6 +72,9 @@ private:
     struct Ready;
     /// What a job on a thread of its own leaves for this one.
     struct Made;
+    /// Finds or makes a project on a thread of its own, and opens it.
+    Result<void> begin(std::function<Result<std::filesystem::path>(const JobControl &, Made &)> find,
+                       const QString &words, Done whenOpen);
     static Result<Ready> makeReady(const std::filesystem::path &file, const std::filesystem::path &openHere);
     std::filesystem::path openHere() const;
     static Error offeringABackup(Error error, const std::filesystem::path &file, Made &made);

@@ -181,6 +181,27 @@ private Q_SLOTS:
         QVERIFY(!other.workspace().isReadOnly());
     }
 
+    /// What was made by then is on the disk, and that is said.
+    void whatWasMadeBeforeItWasCancelledIsNamed()
+    {
+        const std::filesystem::path made = path("made.odo");
+        MainWindow window;
+        const LateCancel cancel(window.workspace());
+        QSignalSpy failed(&window.workspace(), &Workspace::jobFailed);
+        QVERIFY(window.workspace().makeAndOpen(
+            [made](const JobControl &) -> Result<std::filesystem::path> {
+                if (const auto project = Project::create(made, "Made"); !project)
+                    return tl::unexpected(project.error());
+                return made;
+            },
+            QStringLiteral("Making a project")));
+        QTRY_COMPARE(failed.count(), 1);
+        QTRY_COMPARE(window.findChild<MessageBar *>()->text(),
+                     QStringLiteral("“made.odo” was written before you cancelled. It was not opened."));
+        QVERIFY(!window.workspace().project());
+        QVERIFY(Project::open(made, Project::Access::ReadOnly));
+    }
+
     void opensTheSameOneAgain()
     {
         MainWindow window;
