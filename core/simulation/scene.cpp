@@ -51,15 +51,20 @@ std::int64_t takenFrames(const SimulatedCamera &camera, double durationS)
     return std::max<std::int64_t>(0, static_cast<std::int64_t>(std::ceil(periods - 1e-6)));
 }
 
-/// The frame that the camera took as the i-th of those that it delivered.
-std::int64_t takenIndex(const SimulatedCamera &camera, std::int64_t delivered)
+/// The frames, as taken, that are never delivered: rising, each once.
+std::vector<std::int64_t> droppedFrames(const SimulatedCamera &camera)
 {
     std::vector<std::int64_t> dropped = camera.sensor.droppedFrames;
     std::sort(dropped.begin(), dropped.end());
     dropped.erase(std::unique(dropped.begin(), dropped.end()), dropped.end());
-    for (const std::int64_t frame : dropped) {
-        if (frame < 0)
-            continue;
+    dropped.erase(dropped.begin(), std::lower_bound(dropped.begin(), dropped.end(), 0));
+    return dropped;
+}
+
+/// The frame that the camera took as the i-th of those that it delivered.
+std::int64_t takenIndex(const SimulatedCamera &camera, std::int64_t delivered)
+{
+    for (const std::int64_t frame : droppedFrames(camera)) {
         if (frame > delivered)
             break;
         ++delivered;
@@ -73,10 +78,8 @@ std::int64_t frameCount(const SimulatedScene &scene, int camera)
 {
     const SimulatedCamera &cam = cameraOf(scene, camera);
     const std::int64_t taken = takenFrames(cam, scene.durationS);
-    std::int64_t delivered = 0;
-    for (std::int64_t i = 0; i < taken; ++i)
-        delivered += contains(cam.sensor.droppedFrames, i) ? 0 : 1;
-    return delivered;
+    const std::vector<std::int64_t> dropped = droppedFrames(cam);
+    return taken - (std::lower_bound(dropped.begin(), dropped.end(), taken) - dropped.begin());
 }
 
 std::int64_t framePicture(const SimulatedScene &scene, int camera, std::int64_t frame)
