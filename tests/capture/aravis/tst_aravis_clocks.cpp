@@ -120,6 +120,8 @@ void TestAravisClocks::timesAreThoseOfTheTruth()
         QVERIFY2(off < 0.3, qPrintable(QString::number(off)));
     }
     QVERIFY(rms(pairErrorsMs(a, b)) < 0.3);
+    if (slowness > 1) // under a sanitizer most pictures are lost, and the others arrive seconds late
+        return;
 
     const TakenTimes c(lateA), d(lateB);
     const double off = rms(pairErrorsMs(c, d)), late = median(c.errorsMs());
