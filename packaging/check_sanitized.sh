@@ -23,11 +23,9 @@ reports="$PWD/build/$preset/reports"
 rm -rf "$reports"
 mkdir -p "$reports"
 source packaging/headless.sh
-export ASAN_OPTIONS="detect_stack_use_after_return=1:handle_sigill=2:log_path=$reports/report"
-export LSAN_OPTIONS="suppressions=$PWD/tests/sanitizers/lsan.supp:print_suppressions=0"
-export TSAN_OPTIONS="suppressions=$PWD/tests/sanitizers/tsan.supp:print_suppressions=0:die_after_fork=0:log_path=$reports/report"
+export ODOGRAPH_SANITIZER_LOG="log_path=$reports/report" # the presets say the rest
 status=0
-ctest --test-dir "build/$preset" --label-exclude 'long|vm' --parallel "$test_slots" --no-tests=error --output-on-failure "${parts[@]}" "$@" || status=$?
+ctest --preset "$preset" --label-exclude 'long|vm' --parallel "$test_slots" "${parts[@]}" "$@" || status=$?
 
 found=$(find "$reports" -type f | wc -l)
 if [ "$found" -gt 0 ]; then

@@ -120,8 +120,9 @@ void TestAravisClocks::timesAreThoseOfTheTruth()
         QVERIFY2(off < 0.3, qPrintable(QString::number(off)));
     }
     QVERIFY(rms(pairErrorsMs(a, b)) < 0.3);
-    if (slowness > 1) // under a sanitizer most pictures are lost, and the others arrive seconds late
-        return;
+#ifdef __SANITIZE_THREAD__ // most pictures are lost there, and the others arrive seconds late
+    return;
+#endif
 
     const TakenTimes c(lateA), d(lateB);
     const double off = rms(pairErrorsMs(c, d)), late = median(c.errorsMs());
