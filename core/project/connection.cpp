@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/connection.h"
 
-#include "core/project/write_turn.h"
+#include "core/base/folder_names.h"
+#include "core/project/side_files.h"
 
 #include <QSqlDriver>
 #include <QSqlError>
+#include <QSqlResult>
 #include <QUrl>
 #include <atomic>
 #include <cerrno>
 #include <limits>
 #include <sqlite3.h>
+#include <unistd.h>
 #include <utility>
 
 namespace odo {
@@ -40,6 +43,7 @@ Explanation explain(int resultCode, int systemError)
     switch (resultCode & 0xff) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
+    case SQLITE_PROTOCOL: // it came too often between others that lock
         return {ErrorCode::Io, "another program is writing to it", "close the other program and try again"};
     case SQLITE_READONLY:
     case SQLITE_PERM:
@@ -81,32 +85,83 @@ Explanation explain(int resultCode, int systemError)
 
 } // namespace
 
-ProjectConnection::ProjectConnection(std::filesystem::path file, QString name)
-    : m_file(std::move(file)), m_name(std::move(name)), m_turn(writeTurnOf(m_file))
+ProjectConnection::ProjectConnection(std::filesystem::path file, QString name, DatabaseAccess access)
+    : m_file(std::move(file)), m_name(std::move(name)), m_access(access), m_turn(WriteTurn::of(m_file))
 {
 }
 
 Result<std::unique_ptr<ProjectConnection>> ProjectConnection::open(const std::filesystem::path &file,
                                                                    DatabaseAccess access)
 {
+    return openAt(file, file, access);
+}
+
+/// place: where the database is that is read as the file.
+Result<std::unique_ptr<ProjectConnection>> ProjectConnection::openAt(const std::filesystem::path &place, const std::filesystem::path &file,
+                                                                     DatabaseAccess access)
+{
     static std::atomic<int> count = 0;
     const QString name = QStringLiteral("odograph-%1").arg(++count);
-    std::unique_ptr<ProjectConnection> connection(new ProjectConnection(file, name));
+    std::unique_ptr<ProjectConnection> connection(new ProjectConnection(file, name, access));
     connection->m_database = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), name);
     QSqlDatabase &database = connection->m_database;
     QString options = QStringLiteral("QSQLITE_BUSY_TIMEOUT=5000");
-    if (access != DatabaseAccess::ReadWrite)
+    if (access == DatabaseAccess::ReadOnly || access == DatabaseAccess::Immutable)
         options += QStringLiteral(";QSQLITE_OPEN_READONLY");
     if (access == DatabaseAccess::Immutable)
         options += QStringLiteral(";QSQLITE_OPEN_URI");
     database.setConnectOptions(options);
-    database.setDatabaseName(access == DatabaseAccess::Immutable ? immutableAddress(file) : toQString(file));
+    database.setDatabaseName(access == DatabaseAccess::Immutable ? immutableAddress(place) : toQString(place));
     if (!database.open()) {
         const Explanation reason = explain(database.lastError().nativeErrorCode().toInt(), 0);
         return fail(reason.code, connection->displayName(), reason.why, reason.advice);
     }
-    if (auto configured = connection->configure(access); !configured)
+    if (auto configured = connection->configure(); !configured)
         return tl::unexpected(configured.error());
+    ::stat(place.c_str(), &connection->m_opened);
+    return connection;
+}
+
+namespace {
+
+/// Whether SQLite cannot read it for want of a log or of the log's index, which it could not make.
+bool lacksItsLog(const ProjectConnection &connection)
+{
+    if (connection.number(QStringLiteral("SELECT COUNT(*) FROM sqlite_master")))
+        return false;
+    const int code = sqlite3_errcode(connection.handle()) & 0xff;
+    return code == SQLITE_CANTOPEN || code == SQLITE_READONLY || code == SQLITE_FULL || code == SQLITE_IOERR;
+}
+
+bool isWritable(const std::filesystem::path &file)
+{
+    return ::access(file.c_str(), W_OK) == 0 && ::access(file.parent_path().c_str(), W_OK) == 0;
+}
+
+} // namespace
+
+Result<std::unique_ptr<ProjectConnection>> ProjectConnection::openForReading(const std::filesystem::path &file)
+{
+    std::error_code problem;
+    std::filesystem::path real = std::filesystem::canonical(file, problem);
+    if (problem)
+        real = file;
+    if (isWritable(real)) {
+        auto connection = open(file, DatabaseAccess::QueryOnly);
+        if (!connection || !lacksItsLog(**connection))
+            return connection;
+    }
+    if (!hasLog(real))
+        return open(file, DatabaseAccess::Immutable);
+    auto connection = open(file, DatabaseAccess::ReadOnly);
+    if (connection && !lacksItsLog(**connection))
+        return connection;
+    auto copy = LogCopy::make(real);
+    if (!copy)
+        return tl::unexpected(copy.error());
+    connection = openAt((*copy)->file(), file, DatabaseAccess::QueryOnly);
+    if (connection)
+        (*connection)->m_copy = std::move(*copy);
     return connection;
 }
 
@@ -131,9 +186,9 @@ void harden(sqlite3 *handle)
 
 } // namespace
 
-Result<void> ProjectConnection::configure(DatabaseAccess access)
+Result<void> ProjectConnection::configure()
 {
-    if (access == DatabaseAccess::ReadWrite && sqlite3_db_readonly(handle(), "main") == 1)
+    if (m_access == DatabaseAccess::ReadWrite && sqlite3_db_readonly(handle(), "main") == 1)
         return fail(ErrorCode::ReadOnly, displayName(), "it cannot be written to",
                     "copy it to a folder that you may write to, and open the copy");
     harden(handle());
@@ -143,15 +198,28 @@ Result<void> ProjectConnection::configure(DatabaseAccess access)
         if (auto done = execute(QString::fromLatin1(pragma)); !done)
             return done;
     }
-    return {};
+    return m_access == DatabaseAccess::QueryOnly ? execute(QStringLiteral("PRAGMA query_only=ON")) : Result<void>();
 }
 
 ProjectConnection::~ProjectConnection()
 {
-    const std::lock_guard turn(writeTurn()); // the last one to be closed writes the log back
+    HeldTurn turn; // the last one to be closed writes the log back
+    if (m_access == DatabaseAccess::ReadWrite)
+        turn = HeldTurn(writeTurn());
+    if (m_database.isOpen() && !mayRemoveLog(turn))
+        sqlite3_db_config(handle(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
     m_database.close();
     m_database = QSqlDatabase();
     QSqlDatabase::removeDatabase(m_name);
+}
+
+/// When this is the last connection to be closed. Who only reads writes nothing, and beside a file that took the place of
+/// this one the log may be that one's.
+bool ProjectConnection::mayRemoveLog(const HeldTurn &turn) const
+{
+    if (!isInPlace())
+        return false;
+    return m_access == DatabaseAccess::QueryOnly ? !hasLog(m_file) : turn.isHeld();
 }
 
 sqlite3 *ProjectConnection::handle() const
@@ -179,10 +247,50 @@ Result<std::int64_t> ProjectConnection::number(const QString &sql) const
     return *found ? statement.integer(0) : 0;
 }
 
-void ProjectConnection::checkpoint() const
+Result<HeldTurn> ProjectConnection::takeTurn(std::chrono::milliseconds patience) const
 {
-    const std::lock_guard turn(writeTurn());
-    sqlite3_wal_checkpoint_v2(handle(), nullptr, SQLITE_CHECKPOINT_TRUNCATE, nullptr, nullptr);
+    HeldTurn turn(writeTurn(), patience);
+    if (turn.isHeld())
+        return turn;
+    const Explanation reason = explain(SQLITE_BUSY, 0);
+    return fail(reason.code, displayName(), reason.why, reason.advice);
+}
+
+bool ProjectConnection::isInPlace() const
+{
+    int hasMoved = 0;
+    return m_copy || sqlite3_file_control(handle(), "main", SQLITE_FCNTL_HAS_MOVED, &hasMoved) != SQLITE_OK || hasMoved == 0;
+}
+
+std::optional<std::filesystem::path> ProjectConnection::presentPlace() const
+{
+    const std::filesystem::path descriptors("/proc/self/fd");
+    std::error_code problem;
+    for (const std::string &number : namesIn(descriptors, problem)) {
+        struct stat there{};
+        if (::stat((descriptors / number).c_str(), &there) != 0 || there.st_ino != m_opened.st_ino || there.st_dev != m_opened.st_dev)
+            continue;
+        std::filesystem::path place = std::filesystem::read_symlink(descriptors / number, problem);
+        return there.st_nlink > 0 && !problem ? std::optional(std::move(place)) : std::nullopt;
+    }
+    return std::nullopt;
+}
+
+bool ProjectConnection::checkpoint(Checkpoint how) const
+{
+    const HeldTurn turn(writeTurn());
+    if (!turn.isHeld())
+        return false;
+    int logged = 0, written = 0; // -1 where there is no log
+    const int mode = how == Checkpoint::Passing ? SQLITE_CHECKPOINT_PASSIVE : SQLITE_CHECKPOINT_TRUNCATE;
+    return sqlite3_wal_checkpoint_v2(handle(), "main", mode, &logged, &written) == SQLITE_OK && logged == written;
+}
+
+void ProjectConnection::countChanges() const
+{
+    const std::int64_t rows = sqlite3_total_changes64(handle());
+    if (std::exchange(m_countedRows, rows) != rows)
+        writeTurn().countChange();
 }
 
 Statement::Statement(const ProjectConnection &connection, const QString &sql)
@@ -245,10 +353,27 @@ Result<void> Statement::start()
     return {};
 }
 
+namespace {
+
+bool changesNothing(const QSqlQuery &query)
+{
+    const QVariant handle = query.result()->handle();
+    return sqlite3_stmt_readonly(*static_cast<sqlite3_stmt *const *>(handle.constData())) != 0;
+}
+
+} // namespace
+
 Result<void> Statement::run()
 {
-    const std::lock_guard turn(m_connection.writeTurn());
-    return start();
+    if (!m_prepared || changesNothing(m_query))
+        return start();
+    const auto turn = m_connection.takeTurn();
+    if (!turn)
+        return tl::unexpected(turn.error());
+    auto done = start();
+    if (m_connection.m_transactionDepth == 0) // else its end counts them
+        m_connection.countChanges();
+    return done;
 }
 
 Result<void> Statement::eachRow(const std::function<Result<void>(const Statement &)> &row)
@@ -330,11 +455,14 @@ Result<void> Transaction::begin()
     if (m_depth > 0 && sqlite3_get_autocommit(m_connection.handle()) != 0)
         return fail(ErrorCode::Io, m_connection.displayName(), "an earlier step of this change failed",
                     "try the whole change again");
-    m_turn = std::unique_lock(m_connection.writeTurn());
+    auto turn = m_connection.takeTurn();
+    if (!turn)
+        return tl::unexpected(turn.error());
+    m_turn = std::move(*turn);
     const QString sql =
         m_depth == 0 ? QStringLiteral("BEGIN IMMEDIATE") : QStringLiteral("SAVEPOINT step%1").arg(m_depth);
     if (auto begun = m_connection.execute(sql); !begun) {
-        m_turn.unlock();
+        m_turn.giveUp();
         return begun;
     }
     m_open = true;
@@ -351,8 +479,9 @@ Result<void> Transaction::commit()
         return done;
     }
     m_open = false;
-    --m_connection.m_transactionDepth;
-    m_turn.unlock();
+    if (--m_connection.m_transactionDepth == 0)
+        m_connection.countChanges();
+    m_turn.giveUp();
     return {};
 }
 
@@ -364,7 +493,7 @@ Transaction::~Transaction()
 
 void Transaction::rollBack()
 {
-    const std::unique_lock turn = std::move(m_turn); // until it is rolled back
+    const HeldTurn turn = std::move(m_turn); // until it is rolled back
     m_open = false;
     --m_connection.m_transactionDepth;
     if (sqlite3_get_autocommit(m_connection.handle()) != 0)

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/project/log_copy.h"
 #include "core/project/records.h"
+#include "core/project/write_turn.h"
 
 #include <QByteArray>
 #include <QSqlDatabase>
@@ -11,17 +13,21 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
+#include <sys/stat.h>
 
 struct sqlite3;
 
 namespace odo {
 
-/// How a database file is opened. Immutable: read without locks and without making any file beside it; only
-/// for a file that has no write-ahead log, because nobody is changing it then.
-enum class DatabaseAccess { ReadWrite, ReadOnly, Immutable };
+/// How a database file is opened.
+enum class DatabaseAccess {
+    ReadWrite,
+    QueryOnly, ///< with SQLite's locks and log, so that others may write meanwhile; refuses every change
+    ReadOnly,  ///< the same where the file or its folder cannot be written to, if the log's index lies there already
+    Immutable, ///< without locks; only for a file that nobody changes
+};
 
 /// One open SQLite database with the settings that a project needs: foreign keys on, synchronous=FULL, a
 /// schema that is not trusted. Private to core/project and its tests; belongs to the thread that opened it.
@@ -30,6 +36,9 @@ struct ProjectConnection
     /// Errors in words for a person: corrupt, locked, not a database, no write access.
     static Result<std::unique_ptr<ProjectConnection>> open(const std::filesystem::path &file,
                                                            DatabaseAccess access);
+    /// For reading, beside others that write. Where SQLite cannot make the index that reading a log takes (in a folder that
+    /// cannot be written to, or on a full disk), a copy of file and log is read; file() is the original all the same.
+    static Result<std::unique_ptr<ProjectConnection>> openForReading(const std::filesystem::path &file);
     ~ProjectConnection();
     ProjectConnection(const ProjectConnection &) = delete;
     ProjectConnection &operator=(const ProjectConnection &) = delete;
@@ -38,8 +47,15 @@ struct ProjectConnection
     /// SQLite's own handle, for what Qt hides: backup, limits, state of the transaction.
     sqlite3 *handle() const;
     const std::filesystem::path &file() const { return m_file; }
-    /// Held by whoever writes, see write_turn.h.
-    std::recursive_mutex &writeTurn() const { return *m_turn; }
+    DatabaseAccess access() const { return m_access; }
+    /// Held by whoever writes.
+    WriteTurn &writeTurn() const { return *m_turn; }
+    /// The turn, or that another program keeps it.
+    Result<HeldTurn> takeTurn(std::chrono::milliseconds patience = WriteTurn::usualPatience) const;
+    /// Whether the file is still where it was opened: it was not deleted, renamed or replaced. Looks at its path alone.
+    bool isInPlace() const;
+    /// Where the file is now that was opened; nothing where it was deleted.
+    std::optional<std::filesystem::path> presentPlace() const;
     /// "project 'run.odo'": how messages name it.
     std::string displayName() const;
 
@@ -48,19 +64,30 @@ struct ProjectConnection
     /// The first column of the first row of a statement, as an integer.
     Result<std::int64_t> number(const QString &sql) const;
 
-    /// Writes the log back into the file, so that the closed project is one file again.
-    void checkpoint() const;
+    /// How far the log is written back into the file. Passing does what can be done without waiting for those who read;
+    /// Emptying waits for them, and makes the log empty.
+    enum class Checkpoint { Passing, Emptying };
+    /// True: all of it is in the file now.
+    bool checkpoint(Checkpoint how) const;
 
 private:
     friend class Transaction;
-    ProjectConnection(std::filesystem::path file, QString name);
-    Result<void> configure(DatabaseAccess access);
+    friend class Statement;
+    ProjectConnection(std::filesystem::path file, QString name, DatabaseAccess access);
+    static Result<std::unique_ptr<ProjectConnection>> openAt(const std::filesystem::path &place, const std::filesystem::path &file, DatabaseAccess access);
+    Result<void> configure();
+    bool mayRemoveLog(const HeldTurn &turn) const;
+    void countChanges() const;
 
     std::filesystem::path m_file;
     QString m_name;
-    std::shared_ptr<std::recursive_mutex> m_turn;
+    DatabaseAccess m_access;
+    std::shared_ptr<WriteTurn> m_turn;
+    std::unique_ptr<LogCopy> m_copy; ///< what is read in the place of the file
     QSqlDatabase m_database;
     int m_transactionDepth = 0;
+    struct stat m_opened{}; ///< what the system knew of the file when it was opened
+    mutable std::int64_t m_countedRows = 0; ///< that were changed, as far as they are counted as changes
 };
 
 /// One prepared statement. Parameters are bound in the order of the question marks.
@@ -119,7 +146,7 @@ private:
     void rollBack();
 
     ProjectConnection &m_connection;
-    std::unique_lock<std::recursive_mutex> m_turn;
+    HeldTurn m_turn;
     bool m_open = false;
     int m_depth = 0;
 };

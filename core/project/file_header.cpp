@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/file_header.h"
 
+#include "core/project/database_bytes.h"
+#include "core/project/log_copy.h"
 #include "core/project/schema.h"
 #include "core/project/side_files.h"
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <fstream>
+#include <span>
 #include <string_view>
 
 namespace odo {
@@ -17,7 +21,7 @@ namespace {
 constexpr std::string_view sqliteMagic("SQLite format 3\0", 16);
 constexpr std::size_t pageSizeOffset = 16, changeCounterOffset = 24, pageCountOffset = 28, schemaFormatOffset = 44,
                       userVersionOffset = 60, applicationIdOffset = 68, countValidForOffset = 92;
-using Header = std::array<unsigned char, 100>;
+using Header = std::array<std::uint8_t, 100>;
 
 std::uint32_t bigEndian(const Header &header, std::size_t offset)
 {
@@ -33,6 +37,18 @@ std::uintmax_t promisedBytes(const Header &header)
     const std::uint32_t coded = std::uint32_t(header[pageSizeOffset]) << 8 | header[pageSizeOffset + 1];
     const std::uintmax_t pageBytes = coded == 1 ? 65536 : coded;
     return pageBytes * bigEndian(header, pageCountOffset);
+}
+
+std::string nameOf(const std::filesystem::path &file)
+{
+    return "project '" + file.string() + "'";
+}
+
+tl::unexpected<Error> cutOff(const std::filesystem::path &file, std::uintmax_t bytes, std::uintmax_t promised)
+{
+    return fail(ErrorCode::InvalidInput, nameOf(file),
+                "the file is cut off: it has " + std::to_string(bytes) + " of " + std::to_string(promised) + " bytes",
+                "copy it again from where it came, or restore a backup copy");
 }
 
 /// Whether a rollback journal ends with the name of another one (https://www.sqlite.org/fileformat.html, section 3), which SQLite
@@ -61,36 +77,34 @@ bool leadsElsewhere(const std::filesystem::path &file)
 
 } // namespace
 
-Result<void> checkFileHeader(const std::filesystem::path &file, int newestVersion)
+Result<void> checkIsFile(const std::filesystem::path &file)
 {
-    const std::string what = "project '" + file.string() + "'";
     std::error_code problem;
     const auto status = std::filesystem::status(file, problem);
     if (!std::filesystem::exists(status))
-        return fail(ErrorCode::NotFound, what, "there is no such file",
-                    "check the name, or make a new project");
+        return fail(ErrorCode::NotFound, nameOf(file), "there is no such file", "check the name, or make a new project");
     if (!std::filesystem::is_regular_file(status))
-        return fail(ErrorCode::InvalidInput, what, "it is a folder or a device, not a file",
+        return fail(ErrorCode::InvalidInput, nameOf(file), "it is a folder or a device, not a file",
                     "choose a file that Odograph has written");
-    const auto bytes = std::filesystem::file_size(file, problem);
-    std::ifstream input(file, std::ios::binary);
-    if (problem || !input)
-        return fail(ErrorCode::Io, what, "it cannot be read", "check that you may read the file");
+    return {};
+}
+
+Result<void> checkFileHeader(const std::filesystem::path &file, int newestVersion)
+{
+    if (auto isFile = checkIsFile(file); !isFile)
+        return isFile;
+    const std::string what = nameOf(file);
+    const DatabaseBytes bytes(file);
     Header header{};
-    input.read(reinterpret_cast<char *>(header.data()), header.size());
-    if (bytes == 0)
+    if (!bytes.read(std::as_writable_bytes(std::span(header)), 0))
+        return fail(ErrorCode::Io, what, "it cannot be read", "check that you may read the file");
+    if (bytes.size() == 0)
         return fail(ErrorCode::InvalidInput, what, "the file is empty", "restore it from a backup copy");
     if (!std::equal(sqliteMagic.begin(), sqliteMagic.end(), header.begin()))
         return fail(ErrorCode::InvalidInput, what, "it is not a project file",
                     "choose a file that Odograph has written");
-    const auto truncated = [&](std::uintmax_t promised) {
-        return fail(ErrorCode::InvalidInput, what,
-                    "the file is cut off: it has " + std::to_string(bytes) + " of " +
-                        std::to_string(promised) + " bytes",
-                    "copy it again from where it came, or restore a backup copy");
-    };
-    if (bytes < header.size())
-        return truncated(header.size());
+    if (bytes.size() < header.size())
+        return cutOff(file, bytes.size(), header.size());
     if (bigEndian(header, applicationIdOffset) != projectApplicationId)
         return fail(ErrorCode::InvalidInput, what, "it is a database of another program",
                     "choose a file that Odograph has written");
@@ -106,9 +120,10 @@ Result<void> checkFileHeader(const std::filesystem::path &file, int newestVersio
     if (leadsElsewhere(file))
         return fail(ErrorCode::InvalidInput, what, "the journal beside it names another file",
                     "copy it again from where it came, or restore a backup copy");
-    // While a write-ahead log lies beside it, the file itself may lag behind.
-    if (!std::filesystem::exists(besideFile(file, logSuffix), problem) && bytes < promisedBytes(header))
-        return truncated(promisedBytes(header));
+    // While a write-ahead log lies beside it, the file itself may lag behind. Asked before the size: whoever empties the log has
+    // written all of it into the file before.
+    if (!hasLog(file) && bytes.size() < promisedBytes(header))
+        return cutOff(file, bytes.size(), promisedBytes(header));
     return {};
 }
 

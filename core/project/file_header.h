@@ -7,9 +7,12 @@
 
 namespace odo {
 
-/// Looks at the first bytes of a file, without SQLite and without a lock, and says in words why it is no
-/// project that can be opened: missing, a folder, empty, another kind of file, another program's database,
-/// truncated, or written by a newer Odograph than one that knows `newestVersion`. Never changes anything.
+/// Looks at the first bytes of a file, without a lock, and says in words why it is no project that can be opened:
+/// missing, a folder, empty, another kind of file, another program's database, cut off, or written by a newer Odograph than
+/// one that knows `newestVersion`. Says nothing false of a file that another process works on. Never changes anything.
 Result<void> checkFileHeader(const std::filesystem::path &file, int newestVersion);
+
+/// That there is such a file, which could be opened.
+Result<void> checkIsFile(const std::filesystem::path &file);
 
 } // namespace odo

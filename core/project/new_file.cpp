@@ -13,7 +13,7 @@ namespace odo {
 
 namespace {
 
-std::filesystem::path folderOf(const std::filesystem::path &file)
+std::filesystem::path placeFolder(const std::filesystem::path &file)
 {
     return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
@@ -56,7 +56,7 @@ tl::unexpected<Error> NewFile::alreadyThere() const
 Result<void> NewFile::prepare()
 {
     std::error_code problem;
-    const std::filesystem::path folder = folderOf(m_target);
+    const std::filesystem::path folder = placeFolder(m_target);
     if (!std::filesystem::is_directory(folder, problem))
         return fail(ErrorCode::NotFound, m_what, "there is no folder '" + folder.string() + "'",
                     "make the folder first, or choose another one");
@@ -99,7 +99,7 @@ Result<void> NewFile::publish()
         if (::rename(m_temporary.c_str(), m_target.c_str()) != 0)
             return ioError(errno);
     }
-    syncToDisk(folderOf(m_target)); // some file systems cannot sync a folder: the file itself is safe already
+    syncToDisk(placeFolder(m_target)); // some file systems cannot sync a folder: the file itself is safe already
     return {};
 }
 

@@ -2,15 +2,16 @@
 #include "core/project/opening_check.h"
 
 #include "core/project/connection.h"
+#include "core/project/database_bytes.h"
 #include "core/project/migrator.h"
 #include "core/project/quick_check.h"
 #include "core/project/step_limit.h"
 
-#include <fstream>
 #include <limits>
 #include <map>
 #include <mutex>
 #include <set>
+#include <vector>
 
 namespace odo {
 
@@ -78,11 +79,13 @@ Result<void> checkSchema(const ProjectConnection &connection, const Migrator &mi
 /// Whether the disk gives all of it, whatever it is.
 bool canBeRead(const std::filesystem::path &file)
 {
-    std::ifstream input(file, std::ios::binary);
-    std::vector<char> block(1 << 16);
-    while (input.read(block.data(), static_cast<std::streamsize>(block.size()))) {
+    const DatabaseBytes bytes(file);
+    std::vector<std::byte> block(1 << 16);
+    for (std::uintmax_t at = 0; at < bytes.size(); at += block.size()) {
+        if (!bytes.read(block, at))
+            return false;
     }
-    return input.eof() && !input.bad();
+    return bytes.isOpen();
 }
 
 Result<void> quickCheck(const ProjectConnection &connection)
@@ -106,11 +109,8 @@ Result<void> quickCheck(const ProjectConnection &connection)
                 "restore it from a backup copy");
 }
 
-} // namespace
-
-Result<int> checkContent(const ProjectConnection &connection, const Migrator &migrator)
+Result<int> checkSnapshot(const ProjectConnection &connection, const Migrator &migrator)
 {
-    const StepLimit limit(connection, mostOpeningSteps);
     auto version = migrator.knownVersion(connection);
     if (!version)
         return version;
@@ -118,6 +118,19 @@ Result<int> checkContent(const ProjectConnection &connection, const Migrator &mi
         return tl::unexpected(ours.error());
     if (auto sound = quickCheck(connection); !sound)
         return tl::unexpected(sound.error());
+    return version;
+}
+
+} // namespace
+
+Result<int> checkContent(ProjectConnection &connection, const Migrator &migrator)
+{
+    const StepLimit limit(connection, mostOpeningSteps);
+    // In one transaction, for another process may be bringing it up to date.
+    if (auto begun = connection.execute(QStringLiteral("BEGIN")); !begun)
+        return tl::unexpected(begun.error());
+    auto version = checkSnapshot(connection, migrator);
+    static_cast<void>(connection.execute(QStringLiteral("COMMIT"))); // nothing was changed
     return version;
 }
 

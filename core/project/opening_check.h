@@ -11,9 +11,9 @@ struct ProjectConnection;
 /// Looks through a project's file before anything is written to it, for it may come from anyone, and gives
 /// the version of its schema: the file holds that schema and nothing else, and all of it is whole, unless it
 /// is so large that reading it would take long. The schema comes first, for looking through the rest
-/// evaluates the checks in it. A file made so that looking through it does not end is given up. On the
+/// evaluates the checks in it; all of it is read as it was at one moment. A file made so that looking through it does not end is given up. On the
 /// connection's thread. Errors: NewerFormat, InvalidInput (damaged, or not a project's tables), Io where the
 /// disk does not give what is in the file.
-Result<int> checkContent(const ProjectConnection &connection, const Migrator &migrator);
+Result<int> checkContent(ProjectConnection &connection, const Migrator &migrator);
 
 } // namespace odo

@@ -12,19 +12,16 @@
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 #include "core/project/schema.h"
-#include "core/project/side_files.h"
 #include "core/project/sound_backup.h"
 
 namespace odo {
 
 namespace {
 
-DatabaseAccess databaseAccess(const std::filesystem::path &file, Project::Access access)
+Result<std::unique_ptr<ProjectConnection>> connect(const std::filesystem::path &file, Project::Access access)
 {
-    if (access == Project::Access::ReadWrite)
-        return DatabaseAccess::ReadWrite;
-    std::error_code problem;
-    return std::filesystem::exists(besideFile(file, logSuffix), problem) ? DatabaseAccess::ReadOnly : DatabaseAccess::Immutable;
+    return access == Project::Access::ReadWrite ? ProjectConnection::open(file, DatabaseAccess::ReadWrite)
+                                                : ProjectConnection::openForReading(file);
 }
 
 Result<void> setProperty(ProjectConnection &connection, const char *name, const std::string &value)
@@ -80,7 +77,7 @@ Project::Project(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
 Project::~Project()
 {
     if (m_impl->writesBack)
-        m_impl->connection->checkpoint();
+        emptyLog();
 }
 
 Result<std::unique_ptr<Project>> Project::create(const std::filesystem::path &file, const std::string &title)
@@ -121,6 +118,27 @@ Result<void> bringUpToDate(const std::filesystem::path &file, int version)
                 "copy it with its videos to a folder that you may write to, and open the copy");
 }
 
+bool isReady(const ProjectConnection &connection)
+{
+    Statement mode(connection, QStringLiteral("PRAGMA journal_mode"));
+    const auto version = connection.number(QStringLiteral("PRAGMA user_version"));
+    return version && *version == projectMigrator().newestVersion() && mode.firstRow().value_or(false) && mode.text(0) == "wal";
+}
+
+/// Brings it up to date, while other processes that would do the same wait.
+Result<void> makeReady(ProjectConnection &connection)
+{
+    constexpr std::chrono::seconds longestMigration{60};
+    if (isReady(connection))
+        return {};
+    const auto turn = connection.takeTurn(longestMigration);
+    if (!turn)
+        return tl::unexpected(turn.error());
+    if (auto done = connection.execute(QStringLiteral("PRAGMA journal_mode=WAL")); !done)
+        return done;
+    return projectMigrator().migrate(connection);
+}
+
 } // namespace
 
 Result<std::unique_ptr<Project>> Project::open(const std::filesystem::path &file, Access access)
@@ -128,18 +146,20 @@ Result<std::unique_ptr<Project>> Project::open(const std::filesystem::path &file
     const Migrator &migrator = projectMigrator();
     if (auto sound = checkFileHeader(file, migrator.newestVersion()); !sound)
         return tl::unexpected(namingABackup(sound.error(), file));
-    auto connection = ProjectConnection::open(file, databaseAccess(file, access));
+    auto connection = connect(file, access);
     if (!connection)
         return tl::unexpected(namingABackup(connection.error(), file));
     // Nothing is written before it is certain that this is a sound project.
     const auto version = checkContent(**connection, migrator);
+    if (!version && (*connection)->access() == DatabaseAccess::Immutable && hasLog(file)) {
+        connection->reset();
+        return open(file, access); // somebody who may write there has begun to
+    }
     if (!version)
         return tl::unexpected(namingABackup(version.error(), file));
     if (access == Access::ReadWrite) {
-        if (auto done = (*connection)->execute(QStringLiteral("PRAGMA journal_mode=WAL")); !done)
-            return tl::unexpected(done.error());
-        if (auto migrated = migrator.migrate(**connection); !migrated)
-            return tl::unexpected(migrated.error());
+        if (auto ready = makeReady(**connection); !ready)
+            return tl::unexpected(ready.error());
     } else if (*version != migrator.newestVersion()) {
         connection->reset();
         if (auto migrated = bringUpToDate(file, *version); !migrated)
@@ -163,9 +183,9 @@ Result<std::unique_ptr<Project>> Project::openAgain(const std::filesystem::path 
 
 Result<std::unique_ptr<Project>> Project::connectTo(const std::filesystem::path &file, Access access, bool writesBack)
 {
-    if (auto sound = checkHeader(file); !sound) // SQLite would make a file that has gone meanwhile
-        return tl::unexpected(sound.error());
-    auto connection = ProjectConnection::open(file, databaseAccess(file, access));
+    if (auto isFile = checkIsFile(file); !isFile) // SQLite would make a file that has gone meanwhile
+        return tl::unexpected(isFile.error());
+    auto connection = connect(file, access);
     if (!connection)
         return tl::unexpected(connection.error());
     auto impl = std::make_unique<Impl>(std::move(*connection));
@@ -276,6 +296,35 @@ std::string Project::redoWords() const
 Result<std::vector<ChangeEntry>> Project::changes() const
 {
     return changeEntries(*m_impl->connection);
+}
+
+bool Project::isInPlace() const
+{
+    return m_impl->connection->isInPlace();
+}
+
+std::optional<std::filesystem::path> Project::presentPlace() const
+{
+    return m_impl->connection->presentPlace();
+}
+
+Result<ProjectState> Project::state() const
+{
+    const ProjectConnection &connection = *m_impl->connection;
+    const auto others = connection.number(QStringLiteral("PRAGMA data_version"));
+    if (!others)
+        return tl::unexpected(others.error());
+    return ProjectState{*others, connection.writeTurn().changesHere()};
+}
+
+bool Project::writeBack() const
+{
+    return m_impl->connection->checkpoint(ProjectConnection::Checkpoint::Passing);
+}
+
+bool Project::emptyLog() const
+{
+    return m_impl->connection->checkpoint(ProjectConnection::Checkpoint::Emptying);
 }
 
 Result<void> Project::saveCopy(const std::filesystem::path &file) const

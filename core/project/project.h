@@ -4,9 +4,11 @@
 #include "core/base/error.h"
 #include "core/project/records.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 class QSqlDatabase;
@@ -26,6 +28,14 @@ class AnalysisRepository;
 struct ProjectProblem
 {
     std::string what, where, advice;
+};
+
+/// How often a project was changed, for comparing with an earlier state of the same Project.
+struct ProjectState
+{
+    std::int64_t byOthers = 0; ///< goes on with what other connections stored, of this process too
+    std::uint64_t here = 0;    ///< goes on with what connections of this process stored
+    bool operator==(const ProjectState &) const = default;
 };
 
 /// An open project file: an SQLite connection, owned by the thread that opened it and used on no other.
@@ -90,6 +100,18 @@ public:
     std::string redoWords() const;
     /// What was ever changed and when, the newest first.
     Result<std::vector<ChangeEntry>> changes() const;
+    /// Whether the file is still where it was opened. One that was deleted, renamed or replaced since can be read here as long
+    /// as it is open, and saveCopy rescues it; what is written to it is lost to whoever opens that path.
+    bool isInPlace() const;
+    /// Where the file is now that was opened; nothing where it was deleted.
+    std::optional<std::filesystem::path> presentPlace() const;
+    /// What tells whether anything was changed since.
+    Result<ProjectState> state() const;
+    /// Writes what the log holds into the project file, without waiting for those who read: a copy of the file has it then.
+    /// False where somebody still reads an older state, or another program writes.
+    bool writeBack() const;
+    /// As writeBack, but waits for those who read, and leaves an empty log.
+    bool emptyLog() const;
     /// Copies the whole project to another file through SQLite's backup API.
     Result<void> saveCopy(const std::filesystem::path &file) const;
     /// Integrity of the database, references, and recordings (present, size; hashes when asked).

@@ -8,12 +8,19 @@
 #include "core/project/schema.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace odo {
 
 namespace {
+
+/// "3" and "3.2" of "lesson.odo.bak-3.2": not what is being made beside them.
+bool isBackupNumber(std::string_view text)
+{
+    return !text.empty() && text.find_first_not_of("0123456789.") == std::string_view::npos;
+}
 
 bool isSound(const std::filesystem::path &backup)
 {
@@ -34,7 +41,7 @@ std::optional<std::filesystem::path> soundBackupOf(const std::filesystem::path &
     std::vector<std::pair<std::filesystem::file_time_type, std::filesystem::path>> backups;
     std::error_code problem;
     for (const std::string &name : namesIn(folder, problem)) {
-        if (!name.starts_with(start))
+        if (!name.starts_with(start) || !isBackupNumber(std::string_view(name).substr(start.size())))
             continue;
         const auto written = std::filesystem::last_write_time(folder / name, problem);
         if (!problem)

@@ -177,12 +177,34 @@ void MainWindow::connectJobs()
         if (!m_many->isRunning()) // of many trials, once at the end
             refreshPages();
     });
+    connect(m_workspace, &Workspace::savedChanged, this, &MainWindow::showState);
+    connect(m_workspace, &Workspace::lost, this, &MainWindow::rescueProject);
     connect(m_workspace, &Workspace::jobFailed, &m_status->job(), &JobIndicator::end);
     connect(m_workspace, &Workspace::jobFailed, this, &MainWindow::tellFailure);
     connect(m_workspace, &Workspace::backupFound, this, [this](const std::filesystem::path &project) {
         m_messages->offer(tr("Restore the backup"), [this, project] { m_files->beginRestoring(project); });
     });
     connect(&m_status->job(), &JobIndicator::cancelRequested, m_workspace, &Workspace::cancel);
+}
+
+/// The file was deleted, renamed or replaced while it was open. What still runs on it ends first.
+void MainWindow::rescueProject()
+{
+    if (m_workspace->project()->isInPlace()) // said once more before it was rescued
+        return;
+    const QString name = QString::fromStdString(m_workspace->project()->file().filename().string());
+    if (m_workspace->isBusy() || (m_pages && m_pages->isRecording())) {
+        m_messages->showDone(tr("“%1” was deleted, renamed or replaced by another program. What is in it is rescued as soon as the running work has ended.").arg(name));
+        return;
+    }
+    if (m_pages)
+        m_pages->saveNotes();
+    const auto rescued = m_workspace->rescue();
+    if (rescued)
+        m_messages->showDone(tr("“%1” was deleted, renamed or replaced by another program. What was in it is rescued in “%2”, which is open now.")
+                                 .arg(name, QString::fromStdString(rescued->filename().string())));
+    else
+        tellFailure(rescued.error());
 }
 
 void MainWindow::closePages()

@@ -82,6 +82,7 @@ private:
     void openTrial(const QString &trial);
     void showTitle();
     void showState();
+    void rescueProject();
     void tellFailure(const Error &error);
     void showDesk(Mode mode);
 

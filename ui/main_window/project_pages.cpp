@@ -264,6 +264,11 @@ void ProjectPages::passOnSettled()
         Q_EMIT settled();
 }
 
+bool ProjectPages::isRecording() const
+{
+    return m_record != nullptr && m_record->isRecording();
+}
+
 void ProjectPages::saveNotes()
 {
     if (m_history)

@@ -60,6 +60,7 @@ public:
     void refresh() { refreshAllBut(nullptr); }
     /// Everything that belongs to the page on screen is there, or cannot be had.
     bool isSettled() const;
+    bool isRecording() const;
     /// What is being written (notes) is stored now.
     void saveNotes();
     void saveLayouts() const;

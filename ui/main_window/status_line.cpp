@@ -51,7 +51,8 @@ void StatusLine::showState(const Workspace &workspace, const TrialScenePtr &tria
         return;
     }
     m_saved->setText(workspace.isReadOnly() ? tr("Read only: nothing can be changed")
-                                            : tr("All changes saved"));
+                     : workspace.isSaved()  ? tr("All changes saved")
+                                            : tr("Saving…"));
     m_analysis->setText(analysisWords(trial));
 }
 

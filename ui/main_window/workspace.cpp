@@ -3,6 +3,7 @@
 
 #include "core/project/place_warning.h"
 #include "core/project/project.h"
+#include "core/project/rescue.h"
 #include "core/project/repositories.h"
 #include "core/project/restored_backup.h"
 #include "core/project/sound_backup.h"
@@ -11,6 +12,7 @@
 #include "core/workflow/job.h"
 #include "core/workflow/job_runner.h"
 #include "core/workflow/recover_job.h"
+#include "ui/main_window/project_watch.h"
 #include "ui/models/background_task.h"
 #include "ui/models/core_words.h"
 
@@ -38,6 +40,11 @@ Workspace::~Workspace() = default;
 bool Workspace::isBusy() const
 {
     return (m_runner && m_runner->isRunning()) || (m_making && m_making->isRunning());
+}
+
+bool Workspace::isSaved() const
+{
+    return m_watch && m_watch->isSaved();
 }
 
 struct Workspace::Ready
@@ -177,8 +184,13 @@ void Workspace::adopt(std::unique_ptr<Project> project, std::unique_ptr<WindowLo
 {
     Q_EMIT aboutToClose();
     m_runner.reset();
+    m_watch.reset();
     m_project = std::move(project);
     m_lock = std::move(lock);
+    m_watch = std::make_unique<ProjectWatch>(*m_project, m_lock ? ProjectWatch::Access::ReadWrite : ProjectWatch::Access::ReadOnly);
+    connect(m_watch.get(), &ProjectWatch::changedOutside, this, &Workspace::changed);
+    connect(m_watch.get(), &ProjectWatch::savedChanged, this, &Workspace::savedChanged);
+    connect(m_watch.get(), &ProjectWatch::lost, this, &Workspace::lost, Qt::QueuedConnection);
     m_runner = std::make_unique<JobRunner>(*m_project);
     connect(m_runner.get(), &JobRunner::progressed, this, &Workspace::jobProgressed);
     connect(m_runner.get(), &JobRunner::finished, this,
@@ -188,6 +200,16 @@ void Workspace::adopt(std::unique_ptr<Project> project, std::unique_ptr<WindowLo
                 finishJob(error);
             });
     Q_EMIT opened();
+}
+
+Result<std::filesystem::path> Workspace::rescue()
+{
+    auto file = rescueProject(*m_project);
+    if (!file)
+        return file;
+    if (const Result<void> shown = open(*file); !shown)
+        return tl::unexpected(shown.error());
+    return file;
 }
 
 void Workspace::finishJob(const std::optional<Error> &error)

@@ -17,6 +17,7 @@ class BackgroundTask;
 class Job;
 class JobRunner;
 class Project;
+class ProjectWatch;
 class WindowLock;
 
 /// The project that the window shows, if any, and the one job that may run on it. GUI thread.
@@ -33,6 +34,8 @@ public:
     Project *project() const { return m_project.get(); }
     bool isReadOnly() const { return !m_lock; }
     bool isBusy() const;
+    /// All changes are in the project file, so that a copy of it has them.
+    bool isSaved() const;
 
     /// Begins to open for writing or, where the place cannot be written to or another window has the project, for
     /// reading: the file is looked through and brought up to date on a thread of its own. As makeAndOpen.
@@ -52,13 +55,18 @@ public:
     /// Puts a copy of its newest sound backup in the place of a damaged project, which is kept beside it, and opens that. As makeAndOpen.
     Result<void> beginRestoring(const std::filesystem::path &file, Done whenOpen);
     void cancel();
+    /// For a project whose file was deleted, renamed or replaced: copies what is in it to a new file beside it, and opens
+    /// that. Gives the new file.
+    Result<std::filesystem::path> rescue();
 
 Q_SIGNALS:
     /// Something was done on opening that the user should know.
     void told(const QString &words);
     void aboutToClose(); ///< project() is still the old one
     void opened();
-    void changed(); ///< by a job that ran on it
+    void changed(); ///< by a job that ran on it, or by another program
+    void savedChanged();
+    void lost(); ///< the project's file was deleted, renamed or replaced; again and again until it is rescued
     void jobStarted(const QString &words);
     void jobProgressed(double fraction, const QString &text);
     /// Every job ends with one of these; a cancelled one fails with ErrorCode::Cancelled.
@@ -86,6 +94,7 @@ private:
 
     std::unique_ptr<WindowLock> m_lock; ///< null: the project can only be read
     std::unique_ptr<Project> m_project;
+    std::unique_ptr<ProjectWatch> m_watch;
     std::unique_ptr<JobRunner> m_runner; ///< after the project: it must end before it
     std::unique_ptr<BackgroundTask> m_making;
     Done m_done;

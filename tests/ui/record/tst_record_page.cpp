@@ -356,11 +356,11 @@ void TestRecordPage::theWindowDoesNotWaitForTheProject()
 {
     show();
     QTRY_VERIFY_WITH_TIMEOUT(button()->isEnabled(), startMs);
-    const auto turn = writeTurnOf(m_project->file());
+    const auto turn = WriteTurn::of(m_project->file());
     std::promise<void> go;
     std::promise<void> held;
     std::thread slow([&] {
-        const std::lock_guard lock(*turn);
+        const HeldTurn lock(*turn);
         held.set_value();
         go.get_future().wait();
     });
