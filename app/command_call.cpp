@@ -2,6 +2,7 @@
 #include "app/command_call.h"
 
 #include "core/base/crash_report.h"
+#include "core/base/file_system.h"
 #include "core/base/units.h"
 #include "core/project/place_warning.h"
 #include "core/workflow/recover_job.h"
@@ -125,8 +126,7 @@ tl::unexpected<Error> CommandCall::wrongCall(const QString &why) const
 
 Result<std::unique_ptr<Project>> CommandCall::openProject(int index, Project::Access access) const
 {
-    std::error_code unknown;
-    noteOpenProject(std::filesystem::absolute(text(index), unknown));
+    noteOpenProject(files::absolute(text(index)));
     auto project = Project::open(text(index), access);
     if (!project || access == Project::Access::ReadOnly)
         return project;

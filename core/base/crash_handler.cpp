@@ -2,6 +2,8 @@
 // What happens in a crash itself. All that the handler uses is made beforehand and never freed.
 #include "core/base/crash_report.h"
 
+#include "core/base/file_system.h"
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -146,7 +148,7 @@ void handle()
 bool watchForCrashes(const std::filesystem::path &folder, const std::string &version)
 {
     std::error_code problem;
-    std::filesystem::create_directories(folder, problem);
+    files::makeFolders(folder, problem);
     if (isSanitized || problem || folder.empty() || ::access(folder.c_str(), W_OK) != 0)
         return false;
     const std::time_t now = std::time(nullptr);

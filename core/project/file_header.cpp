@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/file_header.h"
 
+#include "core/base/file_system.h"
 #include "core/project/schema.h"
 #include "core/project/side_files.h"
 
@@ -50,13 +51,13 @@ bool namesAnotherFile(const std::filesystem::path &journal)
 bool leadsElsewhere(const std::filesystem::path &file)
 {
     std::error_code problem;
-    std::filesystem::path real = std::filesystem::weakly_canonical(file, problem); // SQLite looks beside that one
+    std::filesystem::path real = files::realPath(file, problem); // SQLite looks beside that one
     if (problem)
         real = file;
-    if (std::ranges::any_of(sideFileSuffixes, [&](const char *side) { return std::filesystem::is_symlink(besideFile(real, side), problem); }))
+    if (std::ranges::any_of(sideFileSuffixes, [&](const char *side) { return files::kindOfItself(besideFile(real, side)) == files::Kind::Link; }))
         return true;
     const std::filesystem::path journal = besideFile(real, journalSuffix);
-    return std::filesystem::is_regular_file(journal, problem) && namesAnotherFile(journal);
+    return files::isFile(journal) && namesAnotherFile(journal);
 }
 
 } // namespace
@@ -65,14 +66,14 @@ Result<void> checkFileHeader(const std::filesystem::path &file, int newestVersio
 {
     const std::string what = "project '" + file.string() + "'";
     std::error_code problem;
-    const auto status = std::filesystem::status(file, problem);
-    if (!std::filesystem::exists(status))
+    const files::Kind kind = files::kindOf(file, problem);
+    if (kind == files::Kind::Missing)
         return fail(ErrorCode::NotFound, what, "there is no such file",
                     "check the name, or make a new project");
-    if (!std::filesystem::is_regular_file(status))
+    if (kind != files::Kind::File)
         return fail(ErrorCode::InvalidInput, what, "it is a folder or a device, not a file",
                     "choose a file that Odograph has written");
-    const auto bytes = std::filesystem::file_size(file, problem);
+    const auto bytes = files::sizeOf(file, problem);
     std::ifstream input(file, std::ios::binary);
     if (problem || !input)
         return fail(ErrorCode::Io, what, "it cannot be read", "check that you may read the file");
@@ -107,7 +108,7 @@ Result<void> checkFileHeader(const std::filesystem::path &file, int newestVersio
         return fail(ErrorCode::InvalidInput, what, "the journal beside it names another file",
                     "copy it again from where it came, or restore a backup copy");
     // While a write-ahead log lies beside it, the file itself may lag behind.
-    if (!std::filesystem::exists(besideFile(file, logSuffix), problem) && bytes < promisedBytes(header))
+    if (!files::exists(besideFile(file, logSuffix)) && bytes < promisedBytes(header))
         return truncated(promisedBytes(header));
     return {};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 
+#include "core/base/file_system.h"
 #include "core/project/change_journal.h"
 #include "core/project/class_repository.h"
 #include "core/project/connection.h"
@@ -23,8 +24,7 @@ DatabaseAccess databaseAccess(const std::filesystem::path &file, Project::Access
 {
     if (access == Project::Access::ReadWrite)
         return DatabaseAccess::ReadWrite;
-    std::error_code problem;
-    return std::filesystem::exists(besideFile(file, logSuffix), problem) ? DatabaseAccess::ReadOnly : DatabaseAccess::Immutable;
+    return files::exists(besideFile(file, logSuffix)) ? DatabaseAccess::ReadOnly : DatabaseAccess::Immutable;
 }
 
 Result<void> setProperty(ProjectConnection &connection, const char *name, const std::string &value)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project_check.h"
 
+#include "core/base/file_system.h"
 #include "core/project/connection.h"
 #include "core/project/recording_lock.h"
 #include "core/project/recording_rows.h"
@@ -51,7 +52,7 @@ void checkFile(const KeptFile &kept, bool withHash, Problems &problems)
         problems.push_back({what, kept.file.string(), advice});
     };
     std::error_code problem;
-    const std::uintmax_t bytes = std::filesystem::file_size(kept.file, problem);
+    const std::uintmax_t bytes = files::sizeOf(kept.file, problem);
     if (problem)
         return report(kept.name + " is missing", kept.adviceWhenMissing);
     if (bytes != static_cast<std::uintmax_t>(kept.bytes))

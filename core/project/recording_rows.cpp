@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/recording_rows.h"
 
+#include "core/base/file_system.h"
 #include "core/project/connection.h"
 #include "core/project/names.h"
 #include "core/project/series_blobs.h"
@@ -19,9 +20,7 @@ const QString recordingColumns =
 /// The folder of the project, absolute and without "." and "..".
 std::filesystem::path folderOf(const std::filesystem::path &projectFile)
 {
-    std::error_code problem;
-    const std::filesystem::path absolute = std::filesystem::absolute(projectFile, problem);
-    return (problem ? projectFile : absolute).lexically_normal().parent_path();
+    return files::absolute(projectFile).lexically_normal().parent_path();
 }
 
 bool climbsOut(const std::filesystem::path &relative)

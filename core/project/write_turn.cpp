@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/write_turn.h"
 
+#include "core/base/file_system.h"
+
 #include <map>
 #include <system_error>
 
@@ -10,11 +12,10 @@ std::shared_ptr<std::recursive_mutex> writeTurnOf(const std::filesystem::path &f
 {
     static std::mutex mutex;
     static std::map<std::filesystem::path, std::weak_ptr<std::recursive_mutex>> turns;
-    std::error_code problem;
-    const std::filesystem::path whole = std::filesystem::weakly_canonical(file, problem);
+    const std::filesystem::path whole = files::realPath(file);
     const std::lock_guard lock(mutex);
     std::erase_if(turns, [](const auto &turn) { return turn.second.expired(); });
-    std::weak_ptr<std::recursive_mutex> &known = turns[problem ? file : whole];
+    std::weak_ptr<std::recursive_mutex> &known = turns[whole];
     auto turn = known.lock();
     if (!turn)
         known = turn = std::make_shared<std::recursive_mutex>();
