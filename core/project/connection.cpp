@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/connection.h"
 
+#include "core/base/plain_text.h"
+#include "core/project/names.h"
 #include "core/project/write_turn.h"
 
 #include <QSqlDriver>
 #include <QSqlError>
 #include <QUrl>
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <limits>
@@ -77,6 +80,15 @@ Explanation explain(int resultCode, int systemError)
     default:
         return {ErrorCode::Internal, "the database refused", "run a check of the project"};
     }
+}
+
+/// With … in place of the rest of a longer text.
+QString firstCharacters(const QString &text, qsizetype most)
+{
+    if (text.size() <= most)
+        return text;
+    const qsizetype cut = text.at(most - 2).isHighSurrogate() ? most - 2 : most - 1;
+    return text.first(cut) + u'…';
 }
 
 } // namespace
@@ -200,7 +212,7 @@ Statement &Statement::bind(std::int64_t value)
 Statement &Statement::bind(double value)
 {
     // SQLite would turn NaN into NULL without a word.
-    m_finite = m_finite && std::isfinite(value);
+    m_inRange = m_inRange && std::abs(value) <= largestNumber;
     m_query.bindValue(m_bound++, QVariant(value));
     return *this;
 }
@@ -236,9 +248,9 @@ Statement &Statement::bindReference(RecordId id)
 
 Result<void> Statement::start()
 {
-    if (!m_finite)
+    if (!m_inRange)
         return fail(ErrorCode::InvalidInput, m_connection.displayName(),
-                    "a value to be stored is not a finite number",
+                    "a value to be stored is not a number of ordinary size",
                     "check the input that it was computed from");
     if (!m_prepared || !m_query.exec())
         return failure();
@@ -299,7 +311,8 @@ int Statement::smallInteger(int column) const
 
 double Statement::real(int column) const
 {
-    return m_query.value(column).toDouble();
+    const double value = m_query.value(column).toDouble();
+    return std::isnan(value) ? 0 : std::clamp(value, -largestNumber, largestNumber);
 }
 
 std::optional<double> Statement::optionalReal(int column) const
@@ -311,7 +324,13 @@ std::optional<double> Statement::optionalReal(int column) const
 
 std::string Statement::text(int column) const
 {
-    return m_query.value(column).toString().toStdString();
+    return firstCharacters(m_query.value(column).toString(), maxTextLength).toStdString();
+}
+std::string Statement::name(int column) const
+{
+    // An escaped character is at most eight long, and takes the place of one: no more than this can be shown of it.
+    const QString begin = firstCharacters(m_query.value(column).toString(), maxNameLength + 1);
+    return firstCharacters(QString::fromStdString(plainLine(begin.toStdString())), maxNameLength).toStdString();
 }
 QByteArray Statement::blob(int column) const
 {

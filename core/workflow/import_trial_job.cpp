@@ -3,6 +3,7 @@
 
 #include "core/base/file_system.h"
 #include "core/project/instant_now.h"
+#include "core/project/limits.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/video/frame_spacing.h"
@@ -40,6 +41,12 @@ Result<void> ImportTrialJob::prepare(Project &project)
     const std::string what = "import of trial '" + m_settings.trial + "'";
     if (m_settings.videos.empty())
         return fail(ErrorCode::InvalidInput, what, "no video was given", "give one view or more, like --video A=a.mp4");
+    if (m_settings.videos.size() > mostViews)
+        return fail(ErrorCode::InvalidInput, what, "it has " + std::to_string(m_settings.videos.size()) + " views",
+                    "use at most " + std::to_string(mostViews));
+    if (m_settings.rate && !(*m_settings.rate >= lowestFrameRate && *m_settings.rate <= highestFrameRate))
+        return fail(ErrorCode::InvalidInput, what, "its frame rate is not between 0.1 and 100,000 frames a second",
+                    "give the rate at which the camera took the frames");
     if (auto checked = checkSteps(); !checked)
         return checked;
     if (project.trials().find(m_settings.trial))
