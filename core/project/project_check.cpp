@@ -6,6 +6,7 @@
 #include "core/project/recording_lock.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
+#include "core/project/task_rows.h"
 
 #include <set>
 
@@ -169,7 +170,7 @@ Result<std::vector<ProjectProblem>> checkProject(Project &project, ProjectConnec
     if (auto checked = checkDatabase(connection, problems); !checked)
         problems.push_back({checked.error().why, connection.file().filename().string(), restoreAdvice});
     const auto robots = project.robots().all();
-    const auto tasks = project.tasks().all();
+    const auto tasks = checkStoredTasks(connection);
     const auto trials = project.trials().all();
     for (const auto &[readable, error] : {std::pair{robots.has_value(), robots ? Error{} : robots.error()},
                                           std::pair{tasks.has_value(), tasks ? Error{} : tasks.error()},

@@ -4,6 +4,7 @@
 #include "core/project/repositories.h"
 #include "core/project/series_blobs.h"
 #include "core/project/stored_words.h"
+#include "core/project/task_rows.h"
 
 namespace odo {
 
@@ -68,11 +69,9 @@ Result<void> readGates(const ProjectConnection &connection, TaskRecord &into)
     });
 }
 
-Result<TaskRecord> readTask(const ProjectConnection &connection, const Statement &row)
+/// Its course into `record`; fails where it cannot be used.
+Result<void> readCourse(const ProjectConnection &connection, const Statement &row, TaskRecord &record)
 {
-    TaskRecord record;
-    record.id = row.integer(0);
-    record.name = row.name(1);
     const std::string what = "task '" + record.name + "'";
     const auto kind = fromStoredWord(taskTemplateWords, row.text(2), what);
     if (!kind)
@@ -83,14 +82,31 @@ Result<TaskRecord> readTask(const ProjectConnection &connection, const Statement
         return tl::unexpected(path.error());
     record.task.path = {std::move(*path), row.integer(4) != 0};
     record.task.limits = {row.optionalReal(5), row.optionalReal(6)};
-    if (row.optionalReal(7))
-        record.archived = Instant(std::chrono::milliseconds(row.integer(7)));
     if (auto read = readGates(connection, record); !read)
-        return tl::unexpected(read.error());
+        return read;
     if (auto read = readZones(connection, what, record); !read)
-        return tl::unexpected(read.error());
+        return read;
     if (auto valid = checkTask(record.task); !valid)
         return fail(valid.error().code, what, valid.error().what + ": " + valid.error().why, restoreAdvice);
+    return {};
+}
+
+/// Without its course.
+TaskRecord taskOf(const Statement &row)
+{
+    TaskRecord record;
+    record.id = row.integer(0);
+    record.name = row.name(1);
+    if (row.optionalReal(7))
+        record.archived = Instant(std::chrono::milliseconds(row.integer(7)));
+    return record;
+}
+
+TaskRecord readTask(const ProjectConnection &connection, const Statement &row)
+{
+    TaskRecord record = taskOf(row);
+    if (!readCourse(connection, row, record))
+        record.task = {}; // checkStoredTasks tells why
     return record;
 }
 
@@ -135,6 +151,15 @@ Result<void> addZones(ProjectConnection &connection, RecordId task, const std::v
 
 } // namespace
 
+Result<void> checkStoredTasks(const ProjectConnection &connection)
+{
+    Statement select(connection, taskColumns + QStringLiteral("ORDER BY id"));
+    return select.eachRow([&](const Statement &row) -> Result<void> {
+        TaskRecord record = taskOf(row);
+        return readCourse(connection, row, record);
+    });
+}
+
 TaskRepository::TaskRepository(ProjectConnection &connection) : m_connection(connection) {}
 
 Result<TaskRecord> TaskRepository::add(const TaskRecord &given)
@@ -170,10 +195,7 @@ Result<std::vector<TaskRecord>> TaskRepository::all() const
     std::vector<TaskRecord> tasks;
     Statement select(m_connection, taskColumns + QStringLiteral("ORDER BY id"));
     auto read = select.eachRow([&](const Statement &row) -> Result<void> {
-        auto task = readTask(m_connection, row);
-        if (!task)
-            return tl::unexpected(task.error());
-        tasks.push_back(std::move(*task));
+        tasks.push_back(readTask(m_connection, row));
         return {};
     });
     if (!read)
