@@ -42,7 +42,7 @@ Result<std::string> readTextFile(const std::filesystem::path &file, std::size_t 
     if (!input.open(QIODevice::ReadOnly)) {
         if (!input.exists())
             return fail(ErrorCode::NotFound, what, "there is no such file", "check the name");
-        return fail(ErrorCode::Io, what, "it cannot be read", "check that you may read the file");
+        return fail(ErrorCode::Io, what, "it cannot be read (" + input.errorString().toStdString() + ")", "check that you may read the file");
     }
     // In blocks, because reading all that is allowed at once would take memory for it. One block more than allowed tells a
     // file that is too large from one that just fits, also where no size is known.

@@ -83,12 +83,17 @@ Explanation explain(int resultCode, int systemError)
 }
 
 /// With … in place of the rest of a longer text.
-QString firstCharacters(const QString &text, qsizetype most)
+QString firstCharacters(const QString &text, int most)
 {
-    if (text.size() <= most)
-        return text;
-    const qsizetype cut = text.at(most - 2).isHighSurrogate() ? most - 2 : most - 1;
-    return text.first(cut) + u'…';
+    qsizetype cut = 0, at = 0;
+    for (int characters = 0; at < text.size(); ++characters) {
+        if (characters == most)
+            return text.first(cut) + u'…';
+        if (characters < most)
+            cut = at;
+        at += text.at(at).isHighSurrogate() && at + 1 < text.size() ? 2 : 1;
+    }
+    return text;
 }
 
 } // namespace

@@ -67,6 +67,8 @@ Result<void> checkFileHeader(const std::filesystem::path &file, int newestVersio
     const std::string what = "project '" + file.string() + "'";
     std::error_code problem;
     const files::Kind kind = files::kindOf(file, problem);
+    if (problem)
+        return fail(ErrorCode::Io, what, "it cannot be looked at (" + problem.message() + ")", "check that you may read the file");
     if (kind == files::Kind::Missing)
         return fail(ErrorCode::NotFound, what, "there is no such file",
                     "check the name, or make a new project");

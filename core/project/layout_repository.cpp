@@ -28,7 +28,7 @@ Result<void> checkMarkers(const MarkerLayout &layout)
             return valid;
         if (!isOnFloor(marker.pointInWorld))
             return fail(ErrorCode::InvalidInput, "layout '" + layout.name + "'",
-                        "marker '" + marker.label + "' is not on a floor of 1 km", "check the numbers and their unit");
+                        "marker '" + marker.label + "' is not on a floor of 1 km", "check the numbers");
         if (!labels.insert(marker.label).second)
             return fail(ErrorCode::InvalidInput, "layout '" + layout.name + "'",
                         "the label '" + marker.label + "' is there twice",

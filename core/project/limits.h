@@ -8,7 +8,7 @@ namespace odo {
 /// What a project may hold: refused where it is entered, and where a file holds more, the rest is not read. docs/limits.md tells them
 /// with those that stand elsewhere (isOnFloor, checkTask, maxBlobRows).
 
-/// In UTF-16 units, as Qt counts.
+/// In characters of Unicode.
 constexpr int maxNameLength = 200, maxTextLength = 20'000;
 /// No quantity of ours is larger.
 constexpr double largestNumber = 1e12;

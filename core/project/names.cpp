@@ -84,8 +84,9 @@ Result<void> checkText(const std::string &kind, const std::string &text)
     const std::optional<QString> decoded = decode(text);
     if (!decoded)
         return fail(ErrorCode::InvalidInput, kind, "it is not valid UTF-8 text", "type the text anew");
-    if (decoded->size() > maxTextLength)
-        return fail(ErrorCode::InvalidInput, kind, "it has " + std::to_string(decoded->size()) + " characters",
+    const qsizetype characters = decoded->toUcs4().size();
+    if (characters > maxTextLength)
+        return fail(ErrorCode::InvalidInput, kind, "it has " + std::to_string(characters) + " characters",
                     "use at most " + std::to_string(maxTextLength));
     return {};
 }

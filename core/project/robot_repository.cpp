@@ -66,7 +66,7 @@ Result<void> checkRobot(const RobotRecord &robot)
     }
     for (const auto &size : {robot.heightM, robot.lengthM, robot.widthM}) {
         if (size && *size > largestRobotM)
-            return refuse("it is larger than " + std::to_string(largestRobotM) + " m", "check the numbers and their unit");
+            return refuse("it is larger than " + std::to_string(largestRobotM) + " m", "check the numbers");
     }
     return {};
 }

@@ -41,7 +41,7 @@ Result<std::vector<TeamRecord>> readTeams(const ProjectConnection &connection, c
     if (done)
         done = read(QStringLiteral("SELECT team.id, team_member.name FROM team JOIN team_member ON team_id=team.id "),
                     " ORDER BY team.id, position", [&](const Statement &row) {
-                        if (TeamRecord *team = teamOf(row))
+                        if (TeamRecord *team = teamOf(row); team && team->members.size() < mostMembers)
                             team->members.push_back(row.name(1));
                     });
     if (done)
