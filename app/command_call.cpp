@@ -2,6 +2,8 @@
 #include "app/command_call.h"
 
 #include "core/base/crash_report.h"
+#include "core/base/file_system.h"
+#include "core/base/plain_text.h"
 #include "core/base/units.h"
 #include "core/project/place_warning.h"
 #include "core/workflow/recover_job.h"
@@ -26,7 +28,7 @@ public:
     void show(double fraction, const std::string &text)
     {
         m_shown = true;
-        std::fprintf(stderr, "\r\033[K%3d %%  %s", int(fraction * 100), text.c_str());
+        std::fprintf(stderr, "\r\033[K%3d %%  %s", int(fraction * 100), plainLine(text).c_str());
         std::fflush(stderr);
     }
 
@@ -79,8 +81,9 @@ std::vector<std::string> CommandCall::texts(const QString &option) const
 Result<double> CommandCall::lengthM(const QString &option) const
 {
     auto length = parseLengthM(value(option));
-    if (!length || *length <= 0)
-        return wrongCall(QStringLiteral("--%1 '%2' is not a length above zero").arg(option, m_parser.value(option)));
+    constexpr double longestM = 1000;
+    if (!length || *length <= 0 || *length > longestM)
+        return wrongCall(QStringLiteral("--%1 '%2' is not a length above zero, of 1 km at most").arg(option, m_parser.value(option)));
     return length;
 }
 
@@ -125,8 +128,7 @@ tl::unexpected<Error> CommandCall::wrongCall(const QString &why) const
 
 Result<std::unique_ptr<Project>> CommandCall::openProject(int index, Project::Access access) const
 {
-    std::error_code unknown;
-    noteOpenProject(std::filesystem::absolute(text(index), unknown));
+    noteOpenProject(files::absolute(text(index)));
     auto project = Project::open(text(index), access);
     if (!project || access == Project::Access::ReadOnly)
         return project;
@@ -142,12 +144,13 @@ Result<std::unique_ptr<Project>> CommandCall::openProject(int index, Project::Ac
 
 void CommandCall::answer(const QJsonObject &json, const QString &text) const
 {
-    const QByteArray out = this->json() ? QJsonDocument(json).toJson(QJsonDocument::Indented) : text.toUtf8() + '\n';
+    const std::string out = this->json() ? QJsonDocument(json).toJson(QJsonDocument::Indented).toStdString()
+                                         : plainText(text.toStdString()) + '\n';
     if (m_control.progress)
         std::fputs("\r\033[K", stderr);
-    std::fwrite(out.constData(), 1, std::size_t(out.size()), stdout);
+    std::fwrite(out.data(), 1, out.size(), stdout);
 }
 
-void CommandCall::warn(const std::string &message) { std::fprintf(stderr, "odograph: %s\n", message.c_str()); }
+void CommandCall::warn(const std::string &message) { std::fprintf(stderr, "odograph: %s\n", plainLine(message).c_str()); }
 
 } // namespace odo

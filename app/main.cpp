@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/commands.h"
+#include "app/guarded_application.h"
 #include "app/workbench.h"
 #include "core/base/crash_report.h"
+#include "core/base/last_resort.h"
 #include "core/base/memory_pools.h"
+#include "core/base/plain_text.h"
 #include "core/base/shortage.h"
 #include "core/project/sound_backup.h"
 
@@ -94,8 +97,10 @@ void keepNumbersPlain() { std::setlocale(LC_NUMERIC, "C"); }
 /// Standard error belongs to our one line; Qt's remarks on platform plugins are for nobody there.
 void dropRemarks(QtMsgType type, const QMessageLogContext &, const QString &message)
 {
+    if (type == QtFatalMsg && shortageNowOfSystem())
+        return; // which the end of the program tells
     if (type == QtCriticalMsg || type == QtFatalMsg)
-        std::fprintf(stderr, "odograph: %s\n", qPrintable(message));
+        std::fprintf(stderr, "odograph: %s\n", plainLine(message.toStdString()).c_str());
 }
 
 /// Whoever reads the answer must not take half of it for the whole.
@@ -139,7 +144,7 @@ int runCommand(const NamedCommand &command, int argc, char **argv)
 
 int openWorkbench(int argc, char **argv)
 {
-    QApplication application(argc, argv);
+    GuardedApplication application(argc, argv);
     QCoreApplication::setOrganizationName(QStringLiteral("odograph")); // its settings lie in a folder of that name
     QCoreApplication::setApplicationName(QStringLiteral("odograph"));
     keepNumbersPlain();
@@ -154,13 +159,11 @@ int openWorkbench(int argc, char **argv)
     return exitDone;
 }
 
-} // namespace
-
-int main(int argc, char **argv)
+int run(int argc, char **argv)
 {
-    std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error like a full disk, not the end of the program
     shareMemoryPools();
     watchForCrashes(stateFolder(), ODOGRAPH_VERSION); // where it cannot, the program does its work all the same
+    dropSenselessScales();
     const std::string_view first = argc > 1 ? argv[1] : "";
     if (first == "--help" || first == "-h" || first == "help") {
         printHelp();
@@ -179,4 +182,19 @@ int main(int argc, char **argv)
         return openWorkbench(argc, argv);
     return report(fail(ErrorCode::WrongCall, '\'' + std::string(first) + '\'', "neither a command nor a project",
                        "see odograph help"));
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error like a full disk, not the end of the program
+    catchWhatNobodyCatches();
+    try {
+        return run(argc, argv);
+    } catch (...) {
+        if (const char *why = shortageBeingHandled())
+            endForShortage(why);
+        return report(tl::unexpected(shortageNow(cannotDoThis)));
+    }
 }

@@ -5,6 +5,7 @@
 #include "app/json_answers.h"
 #include "app/option_names.h"
 #include "app/step_words.h"
+#include "core/project/limits.h"
 #include "core/project/repositories.h"
 #include "core/workflow/import_trial_job.h"
 
@@ -40,8 +41,8 @@ Result<ImportSettings> importSettings(const CommandCall &call)
     settings.robots = call.texts(option::robot);
     if (call.isSet(option::rate)) {
         const auto framesPerSecond = call.number(option::rate);
-        if (!framesPerSecond || *framesPerSecond <= 0)
-            return call.wrongCall(QStringLiteral("--rate is a number of frames a second above zero"));
+        if (!framesPerSecond || *framesPerSecond < lowestFrameRate || *framesPerSecond > highestFrameRate)
+            return call.wrongCall(QStringLiteral("--rate is a number of frames a second from 0.1 to 100,000"));
         settings.rate = *framesPerSecond;
     }
     return settings;

@@ -2,6 +2,9 @@
 // What happens in a crash itself. All that the handler uses is made beforehand and never freed.
 #include "core/base/crash_report.h"
 
+#include "core/base/file_system.h"
+#include "core/base/last_resort.h"
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -28,7 +31,8 @@ struct NamedSignal
     const char *name;
 };
 constexpr NamedSignal signals[] = {{SIGSEGV, "SIGSEGV"}, {SIGBUS, "SIGBUS"},   {SIGILL, "SIGILL"},
-                                   {SIGFPE, "SIGFPE"},   {SIGABRT, "SIGABRT"}, {SIGSYS, "SIGSYS"}};
+                                   {SIGFPE, "SIGFPE"},   {SIGABRT, "SIGABRT"}, {SIGSYS, "SIGSYS"},
+                                   {SIGTRAP, "SIGTRAP"}}; // how GLib aborts
 
 constexpr int mostFrames = 100;
 constexpr std::size_t longestText = 4096;
@@ -103,6 +107,8 @@ void onCrash(int signal, siginfo_t *information, void *)
         for (;;)
             ::pause();
     ::alarm(10); // whatever hangs in here
+    if (const char *why = shortageNowOfSystem())
+        endForShortage(why);
     int descriptor = prepared.descriptor;
     const bool isUnnamed = descriptor >= 0;
     if (!isUnnamed)
@@ -145,9 +151,13 @@ void handle()
 
 bool watchForCrashes(const std::filesystem::path &folder, const std::string &version)
 {
+    if (isSanitized)
+        return false;
+    ::backtrace(prepared.frames.data(), 1); // loads what it needs
+    handle();
     std::error_code problem;
-    std::filesystem::create_directories(folder, problem);
-    if (isSanitized || problem || folder.empty() || ::access(folder.c_str(), W_OK) != 0)
+    files::makeFolders(folder, problem);
+    if (problem || folder.empty() || ::access(folder.c_str(), W_OK) != 0)
         return false;
     const std::time_t now = std::time(nullptr);
     std::array<char, 32> stamp{};
@@ -159,8 +169,6 @@ bool watchForCrashes(const std::filesystem::path &folder, const std::string &ver
         return false;
     prepared.descriptor = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600); // not on every file system
     copyTo(prepared.unnamed, "/proc/self/fd/" + std::to_string(prepared.descriptor));
-    ::backtrace(prepared.frames.data(), 1); // loads what it needs
-    handle();
     return true;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/crash_report.h"
 
+#include "core/base/file_system.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -11,24 +13,24 @@ namespace {
 
 constexpr std::string_view newPrefix = "crash-", toldPrefix = "told-crash-";
 
-bool isReport(const std::filesystem::directory_entry &entry, std::string_view prefix)
+bool isReport(const std::filesystem::path &file, std::string_view prefix)
 {
     constexpr std::uintmax_t longest = 1'000'000;
     std::error_code problem;
-    const std::string name = entry.path().filename().string();
-    return name.starts_with(prefix) && name.ends_with(".txt") && entry.is_regular_file(problem) &&
-           !entry.is_symlink(problem) && entry.file_size(problem) <= longest;
+    const std::string name = file.filename().string();
+    return name.starts_with(prefix) && name.ends_with(".txt") && files::kindOfItself(file) == files::Kind::File &&
+           files::sizeOf(file, problem) <= longest && !problem;
 }
 
 std::vector<std::filesystem::path> reportsOf(const std::filesystem::path &folder, std::string_view prefix)
 {
-    std::vector<std::filesystem::path> files;
+    std::vector<std::filesystem::path> reports;
     std::error_code problem;
-    for (const auto &entry : std::filesystem::directory_iterator(folder, problem))
-        if (isReport(entry, prefix))
-            files.push_back(entry.path());
-    std::ranges::sort(files); // the time is in the name
-    return files;
+    for (const std::string &name : files::namesIn(folder, problem))
+        if (isReport(folder / name, prefix))
+            reports.push_back(folder / name);
+    std::ranges::sort(reports); // the time is in the name
+    return reports;
 }
 
 /// The rest of the line that begins with a word; empty where there is none.
@@ -72,12 +74,12 @@ std::filesystem::path keepToldReport(const CrashReport &report)
     const std::filesystem::path folder = report.file.parent_path();
     std::filesystem::path told = folder / ("told-" + report.file.filename().string());
     std::error_code problem;
-    std::filesystem::rename(report.file, told, problem);
+    files::rename(report.file, told, problem);
     if (problem)
         return report.file;
     const std::vector<std::filesystem::path> kept = reportsOf(folder, toldPrefix);
     for (std::size_t i = 0; i + mostKept < kept.size(); ++i)
-        std::filesystem::remove(kept[i], problem);
+        files::remove(kept[i]);
     return told;
 }
 

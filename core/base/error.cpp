@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
 
+#include "core/base/plain_text.h"
+
+#include <algorithm>
+
 namespace odo {
 
 std::string Error::message() const
@@ -8,11 +12,8 @@ std::string Error::message() const
     std::string line = what + ": " + why;
     if (!advice.empty())
         line += "; " + advice;
-    for (char &c : line) {
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-            c = ' ';
-    }
-    return line;
+    std::ranges::replace_if(line, [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+    return plainLine(line);
 }
 
 tl::unexpected<Error> fail(ErrorCode code, std::string what, std::string why, std::string advice)

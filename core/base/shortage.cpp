@@ -1,46 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/shortage.h"
 
+#include "core/base/last_resort.h"
+
 #include <exception>
 #include <mutex>
-#include <new>
-#include <system_error>
 #include <vector>
 
 namespace odo {
 
 namespace {
 
-constexpr const char *advice = "what was saved is safe; close other programs and try again";
+Error shortage(std::string what, const char *why) { return {ErrorCode::Unavailable, std::move(what), why, shortageAdvice}; }
 
-Error noMemory(std::string what)
+std::string wordsOfException()
 {
-    return {ErrorCode::Unavailable, std::move(what), "this computer has not enough free memory for it", advice};
+    try {
+        throw;
+    } catch (const std::exception &problem) {
+        return problem.what();
+    } catch (...) {
+        return "an exception without words";
+    }
 }
 
 } // namespace
 
 Error noThread(std::string what)
 {
-    return {ErrorCode::Unavailable, std::move(what), "this computer gives no further thread", advice};
+    return shortage(std::move(what), "this computer gives no further thread");
 }
 
 Error shortageNow(std::string what)
 {
-    try {
-        throw;
-    } catch (const std::bad_alloc &) {
-        return noMemory(std::move(what));
-    } catch (const std::system_error &problem) {
-        if (problem.code() == std::errc::resource_unavailable_try_again)
-            return noThread(std::move(what));
-        if (problem.code() == std::errc::too_many_files_open ||
-            problem.code() == std::errc::too_many_files_open_in_system)
-            return {ErrorCode::Unavailable, std::move(what), "too many files are open", advice};
-        if (problem.code() == std::errc::not_enough_memory)
-            return noMemory(std::move(what));
-        throw;
-    }
+    if (const char *why = shortageBeingHandled())
+        return shortage(std::move(what), why);
+    return {ErrorCode::Internal, std::move(what), "something unexpected happened (" + wordsOfException() + ")",
+            "what was saved is safe; try again, and report it if it happens again"};
 }
 
 void sideBySide(std::size_t parts, const std::function<void(std::size_t)> &work)

@@ -16,13 +16,16 @@ namespace odo {
 /// What a job is told as that ends by a shortage.
 inline constexpr const char *cannotDoThis = "cannot do this";
 
-/// Within a handler: the Error of a shortage that is being handled; any other exception is thrown on.
+/// What to do then.
+inline constexpr const char *shortageAdvice = "what was saved is safe; close other programs and try again";
+
+/// Within a handler: the Error of a shortage that is being handled, or of any other exception, code Internal, with its own words.
 Error shortageNow(std::string what);
 
 /// That there is no thread to be had, where something else than the standard library found out.
 Error noThread(std::string what);
 
-/// Does work that gives a Result; a shortage in it is its Error, any other exception goes on.
+/// Does work that gives a Result; an exception in it is its Error.
 template <class Work> std::invoke_result_t<Work &> orShortage(const std::string &what, Work &&work)
 {
     try {
@@ -32,7 +35,7 @@ template <class Work> std::invoke_result_t<Work &> orShortage(const std::string 
     }
 }
 
-/// A new thread that does the work, or why there is none. What the work throws ends the program, as in any thread.
+/// A new thread that does the work, or why there is none. What the work throws ends the program (last_resort.h).
 template <class Work> Result<std::thread> startThread(const std::string &what, Work &&work)
 {
     return orShortage(what, [&]() -> Result<std::thread> { return std::thread(std::forward<Work>(work)); });

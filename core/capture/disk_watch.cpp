@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/disk_watch.h"
 
+#include "core/base/file_system.h"
+
 #include <algorithm>
 
 namespace odo {
@@ -8,10 +10,10 @@ namespace odo {
 std::optional<DiskRoom> diskRoomOf(const std::filesystem::path &folder)
 {
     std::error_code problem;
-    const std::filesystem::space_info space = std::filesystem::space(folder, problem);
+    const files::DiskSpace space = files::diskSpace(folder, problem);
     if (problem)
         return std::nullopt;
-    return DiskRoom{space.available, space.capacity};
+    return DiskRoom{space.freeBytes, space.bytes};
 }
 
 std::uint64_t DiskWatch::reserved(const DiskRoom &disk) const

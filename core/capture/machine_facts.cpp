@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/setup_checks.h"
 
+#include "core/base/file_system.h"
+
 #include <algorithm>
 #include <fstream>
 #include <unistd.h>
@@ -9,37 +11,31 @@ namespace odo {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 template <class Value>
-std::optional<Value> valueIn(const fs::path &file)
+std::optional<Value> valueIn(const std::filesystem::path &file)
 {
     std::ifstream stream(file);
     Value value{};
     return stream >> value ? std::optional(value) : std::nullopt;
 }
 
-/// The names in a folder, sorted; none where there is no such folder.
-std::vector<std::string> namesIn(const fs::path &folder)
+std::vector<std::string> sortedNamesIn(const std::filesystem::path &folder)
 {
-    std::vector<std::string> names;
-    std::error_code ignored; // what cannot be looked at is not there
-    for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
-         entry.increment(ignored))
-        names.push_back(entry->path().filename().string());
+    std::error_code unread; // what cannot be looked at is not there
+    std::vector<std::string> names = files::namesIn(folder, unread);
     std::ranges::sort(names);
     return names;
 }
 
 /// From a device's place in /sys ("…/usb1/1-2/1-2:1.0"): the bus, and how fast the nearest device above it is
 /// connected.
-void findUsb(VideoNode &node, const fs::path &device)
+void findUsb(VideoNode &node, const std::filesystem::path &device)
 {
     std::error_code problem;
-    fs::path place = fs::canonical(device, problem);
+    std::filesystem::path place = files::realPath(device, problem);
     if (problem)
         return;
-    for (const fs::path &part : place) {
+    for (const std::filesystem::path &part : place) {
         if (part.string().starts_with("usb") && part.string().size() > 3)
             node.usbBus = part.string();
     }
@@ -53,10 +49,10 @@ void findUsb(VideoNode &node, const fs::path &device)
 
 } // namespace
 
-MachineFacts readMachine(const fs::path &root)
+MachineFacts readMachine(const std::filesystem::path &root)
 {
     MachineFacts facts;
-    for (const std::string &name : namesIn(root / "dev")) {
+    for (const std::string &name : sortedNamesIn(root / "dev")) {
         if (!name.starts_with("video"))
             continue;
         VideoNode node;
@@ -65,8 +61,8 @@ MachineFacts readMachine(const fs::path &root)
         findUsb(node, root / "sys/class/video4linux" / name / "device");
         facts.nodes.push_back(std::move(node));
     }
-    for (const std::string &name : namesIn(root / "sys/class/net")) {
-        const fs::path port = root / "sys/class/net" / name;
+    for (const std::string &name : sortedNamesIn(root / "sys/class/net")) {
+        const std::filesystem::path port = root / "sys/class/net" / name;
         const auto mtu = valueIn<int>(port / "mtu");
         if (name != "lo" && mtu && valueIn<std::string>(port / "operstate") == "up")
             facts.ports.push_back({name, *mtu});

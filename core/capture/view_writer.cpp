@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/view_writer.h"
 
+#include "core/base/file_system.h"
 #include "core/base/shortage.h"
 #include "core/base/steady_now.h"
 #include "core/capture/recorded_clock.h"
@@ -158,8 +159,7 @@ Result<void> ViewWriter::checkDisk(bool isBegun)
     if (m_spaceChecked && now - *m_spaceChecked < checkEach)
         return {};
     m_spaceChecked = now;
-    std::error_code ignored;
-    if (isBegun && std::filesystem::status(m_recording.file, ignored).type() == std::filesystem::file_type::not_found)
+    if (isBegun && !files::exists(m_recording.file))
         return odo::fail(ErrorCode::Io, recordingName(), "its file is no longer there",
                          "put its disk or folder back where it was; what was recorded so far is there");
     const std::optional<DiskRoom> room = m_disk.room(m_recording.file.parent_path());

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/project_archive.h"
 
+#include "core/base/file_system.h"
 #include "core/project/new_file.h"
 
+#include <algorithm>
 #include <archive.h>
 #include <archive_entry.h>
 
@@ -73,7 +75,7 @@ public:
     Result<void> add(const ArchiveEntry &file, const Written &written)
     {
         std::error_code problem;
-        const auto bytes = std::filesystem::file_size(file.file, problem);
+        const auto bytes = files::sizeOf(file.file, problem);
         std::ifstream in(file.file, std::ios::binary);
         if (problem || !in)
             return fail(ErrorCode::Io, "pack '" + file.file.string() + "'",
@@ -114,7 +116,7 @@ public:
             return failure(problemOf(m_archive));
         if (::fsync(m_descriptor) != 0 || ::rename(m_part.c_str(), m_target.c_str()) != 0)
             return failure(std::strerror(errno));
-        syncToDisk(std::filesystem::absolute(m_target).parent_path());
+        syncToDisk(files::absolute(m_target).parent_path());
         return {};
     }
 
@@ -144,8 +146,7 @@ public:
         if (!m_made)
             return;
         try {
-            std::error_code ignored;
-            std::filesystem::remove_all(m_part, ignored); // not there any more once it was published
+            files::removeAll(m_part); // not there any more once it was published
         } catch (const std::bad_alloc &) { // it stays, under a name that says what it is
         }
     }
@@ -155,16 +156,16 @@ public:
     Result<void> open()
     {
         std::error_code problem;
-        if (std::filesystem::exists(m_folder, problem))
+        if (files::exists(m_folder))
             return fail(ErrorCode::AlreadyExists, "unpack into '" + m_folder.string() + "'",
                         "it is there already", "choose a folder that is not there yet");
         archive_read_support_format_zip(m_archive);
         if (archive_read_open_filename(m_archive, m_file.c_str(), blockBytes) != ARCHIVE_OK)
             return refuse(problemOf(m_archive));
-        m_archiveBytes = std::filesystem::file_size(m_file, problem);
+        m_archiveBytes = files::sizeOf(m_file, problem);
         if (problem)
             m_archiveBytes = 0;
-        std::filesystem::create_directories(std::filesystem::absolute(m_part).parent_path(), problem);
+        files::makeFolders(files::absolute(m_part).parent_path(), problem);
         // A name that nobody has, so that what a killed attempt left behind is in nobody's way.
         std::string name = m_part.string();
         m_made = ::mkdtemp(name.data()) != nullptr;
@@ -195,7 +196,7 @@ public:
     Result<std::filesystem::path> publish()
     {
         std::error_code problem;
-        std::filesystem::rename(m_part, m_folder, problem);
+        files::rename(m_part, m_folder, problem);
         if (problem)
             return failure(problem.message());
         return m_folder / m_project;
@@ -213,7 +214,7 @@ private:
             m_project = name;
         const std::filesystem::path target = m_part / name;
         std::error_code problem;
-        std::filesystem::create_directories(target.parent_path(), problem);
+        files::makeFolders(target.parent_path(), problem);
         const int descriptor =
             ::open(target.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC | O_NOFOLLOW, 0644);
         if (descriptor < 0 && errno == EEXIST)
@@ -290,7 +291,7 @@ Result<void> writeArchive(const std::filesystem::path &archive, const std::vecto
     std::uintmax_t all = 1, done = 0;
     for (const ArchiveEntry &entry : entries) {
         std::error_code problem;
-        const auto bytes = std::filesystem::file_size(entry.file, problem);
+        const auto bytes = files::sizeOf(entry.file, problem);
         all += problem ? 0 : bytes;
     }
     Writer writer(archive);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/text_file.h"
 
+#include "core/base/file_system.h"
 #include "core/exchange/whole_file.h"
 
 #include <QFile>
@@ -35,14 +36,13 @@ std::string atLine(const std::filesystem::path &file, int line)
 Result<std::string> readTextFile(const std::filesystem::path &file, std::size_t maxBytes)
 {
     const std::string what = "file '" + file.string() + "'";
-    std::error_code problem;
-    if (std::filesystem::is_directory(file, problem))
+    if (files::isFolder(file))
         return fail(ErrorCode::InvalidInput, what, "it is a folder", "name a file");
     QFile input(QString::fromStdString(file.string()));
     if (!input.open(QIODevice::ReadOnly)) {
         if (!input.exists())
             return fail(ErrorCode::NotFound, what, "there is no such file", "check the name");
-        return fail(ErrorCode::Io, what, "it cannot be read", "check that you may read the file");
+        return fail(ErrorCode::Io, what, "it cannot be read (" + input.errorString().toStdString() + ")", "check that you may read the file");
     }
     // In blocks, because reading all that is allowed at once would take memory for it. One block more than allowed tells a
     // file that is too large from one that just fits, also where no size is known.
@@ -65,8 +65,7 @@ Result<void> writeTextFile(const std::filesystem::path &file, std::string_view t
 {
     const std::string what = "file '" + file.string() + "'";
     const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-    std::error_code problem;
-    if (!std::filesystem::is_directory(folder, problem))
+    if (!files::isFolder(folder))
         return fail(ErrorCode::NotFound, what, "there is no folder '" + folder.string() + "'",
                     "make the folder first, or choose another one");
     WholeFile output(QString::fromStdString(file.string()));

@@ -125,7 +125,7 @@ Result<AnalysisRecord> analysisOf(const Statement &row)
     analysis.id = row.integer(0);
     analysis.trial = row.integer(1);
     analysis.robot = row.integer(2);
-    analysis.robotName = row.text(3);
+    analysis.robotName = row.name(3);
     analysis.made = Instant(std::chrono::milliseconds(row.integer(4)));
     analysis.softwareVersion = row.text(5);
     const auto smoother =
@@ -149,7 +149,7 @@ Result<void> readMetrics(const ProjectConnection &connection, AnalysisRecord &in
         connection,
         QStringLiteral("SELECT name, unit, value, sigma FROM metric WHERE analysis_id=? ORDER BY position"));
     return select.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
-        into.profile.metrics.push_back({row.text(0), row.text(1), row.real(2), row.optionalReal(3)});
+        into.profile.metrics.push_back({row.name(0), row.name(1), row.real(2), row.optionalReal(3)});
         return {};
     });
 }
@@ -160,11 +160,11 @@ Result<void> readPassages(const ProjectConnection &connection, AnalysisRecord &i
                      QStringLiteral("SELECT gate, role, time_ns, sigma_s, common_sigma_s FROM gate_passage "
                                     "WHERE analysis_id=? ORDER BY position"));
     return select.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
-        const auto role = fromStoredWord(gateRoleWords, row.text(1), "gate '" + row.text(0) + "'");
+        const auto role = fromStoredWord(gateRoleWords, row.text(1), "gate '" + row.name(0) + "'");
         if (!role)
             return tl::unexpected(role.error());
         into.profile.passages.push_back(
-            {row.text(0), *role, Nanoseconds(row.integer(2)), row.real(3), row.real(4)});
+            {row.name(0), *role, Nanoseconds(row.integer(2)), row.real(3), row.real(4)});
         return {};
     });
 }
@@ -174,7 +174,7 @@ Result<void> readDecisions(const ProjectConnection &connection, AnalysisRecord &
     Statement views(connection, QStringLiteral("SELECT name, registration_id FROM analysis_view "
                                                "WHERE analysis_id=? ORDER BY position"));
     auto read = views.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
-        into.views.push_back(row.text(0));
+        into.views.push_back(row.name(0));
         into.registrations.push_back(row.integer(1));
         return {};
     });
@@ -278,7 +278,7 @@ Result<std::map<RecordId, std::vector<std::string>>> AnalysisRepository::trialsB
                                     "WHERE registration_id IS NOT NULL AND analysis.id IN "
                                     "(SELECT MAX(id) FROM analysis GROUP BY trial_id, robot_id) ORDER BY trial.name"));
     auto read = select.eachRow([&trials](const Statement &row) -> Result<void> {
-        trials[row.integer(0)].push_back(row.text(1));
+        trials[row.integer(0)].push_back(row.name(1));
         return {};
     });
     if (!read)
@@ -298,7 +298,7 @@ Result<std::vector<TrialFigure>> AnalysisRepository::figures(const std::string &
     select.bind(static_cast<std::int64_t>(from.time_since_epoch().count()));
     select.bind(static_cast<std::int64_t>(to.time_since_epoch().count()));
     auto read = select.bind(metric).eachRow([&](const Statement &row) -> Result<void> {
-        figures.push_back({row.integer(0), row.integer(1), {metric, row.text(2), row.real(3), row.optionalReal(4)}});
+        figures.push_back({row.integer(0), row.integer(1), {metric, row.name(2), row.real(3), row.optionalReal(4)}});
         return {};
     });
     if (!read)

@@ -18,7 +18,7 @@ const QString intrinsicsColumns =
 
 CameraRecord cameraOf(const Statement &row)
 {
-    return {row.integer(0), row.text(1), row.text(2)};
+    return {row.integer(0), row.name(1), row.text(2)};
 }
 
 Result<IntrinsicsRecord> readIntrinsics(const ProjectConnection &connection, const Statement &row)
@@ -59,8 +59,9 @@ Result<IntrinsicsRecord> readIntrinsics(const ProjectConnection &connection, con
 
 CameraRepository::CameraRepository(ProjectConnection &connection) : m_connection(connection) {}
 
-Result<CameraRecord> CameraRepository::add(const CameraRecord &camera)
+Result<CameraRecord> CameraRepository::add(const CameraRecord &given)
 {
+    const CameraRecord camera{given.id, normalName(given.name), given.deviceUri};
     return transact(m_connection, [&]() -> Result<CameraRecord> {
         if (auto valid = checkName("camera", camera.name); !valid)
             return tl::unexpected(valid.error());
@@ -92,13 +93,12 @@ Result<std::vector<CameraRecord>> CameraRepository::all() const
 
 Result<CameraRecord> CameraRepository::find(const std::string &name) const
 {
-    Statement select(m_connection, QStringLiteral("SELECT id, name, device_uri FROM camera WHERE name=?"));
-    const auto found = select.bind(name).firstRow();
-    if (!found)
-        return tl::unexpected(found.error());
-    if (!*found)
+    const auto id = idNamed(m_connection, "camera", name);
+    if (!id)
+        return tl::unexpected(id.error());
+    if (*id == 0)
         return noSuchName(m_connection, "camera", "camera", name);
-    return cameraOf(select);
+    return get(*id);
 }
 
 Result<CameraRecord> CameraRepository::get(RecordId id) const

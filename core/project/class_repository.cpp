@@ -16,7 +16,7 @@ const QString classColumns = QStringLiteral(
 
 ClassRecord classOf(const Statement &row)
 {
-    ClassRecord record{row.integer(0), row.text(1), {}, row.smallInteger(3)};
+    ClassRecord record{row.integer(0), row.name(1), {}, row.smallInteger(3)};
     if (row.optionalReal(2))
         record.archived = Instant(std::chrono::milliseconds(row.integer(2)));
     return record;
@@ -26,8 +26,9 @@ ClassRecord classOf(const Statement &row)
 
 ClassRepository::ClassRepository(ProjectConnection &connection) : m_connection(connection) {}
 
-Result<ClassRecord> ClassRepository::add(const std::string &name)
+Result<ClassRecord> ClassRepository::add(const std::string &given)
 {
+    const std::string name = normalName(given);
     return transact(m_connection, [&]() -> Result<ClassRecord> {
         if (auto valid = checkName("class", name); !valid)
             return tl::unexpected(valid.error());
@@ -64,8 +65,9 @@ Result<ClassRecord> ClassRepository::get(RecordId id) const
     return classOf(select);
 }
 
-Result<void> ClassRepository::rename(RecordId id, const std::string &name)
+Result<void> ClassRepository::rename(RecordId id, const std::string &given)
 {
+    const std::string name = normalName(given);
     return transact(m_connection, [&]() -> Result<void> {
         const auto known = get(id);
         if (!known || known->name == name)

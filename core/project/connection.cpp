@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/connection.h"
 
-#include "core/base/folder_names.h"
+#include "core/base/file_system.h"
+#include "core/base/plain_text.h"
+#include "core/project/names.h"
 #include "core/project/side_files.h"
 
 #include <QSqlDriver>
 #include <QSqlError>
 #include <QSqlResult>
 #include <QUrl>
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <limits>
@@ -83,6 +86,20 @@ Explanation explain(int resultCode, int systemError)
     }
 }
 
+/// With … in place of the rest of a longer text.
+QString firstCharacters(const QString &text, int most)
+{
+    qsizetype cut = 0, at = 0;
+    for (int characters = 0; at < text.size(); ++characters) {
+        if (characters == most)
+            return text.first(cut) + u'…';
+        if (characters < most)
+            cut = at;
+        at += text.at(at).isHighSurrogate() && at + 1 < text.size() ? 2 : 1;
+    }
+    return text;
+}
+
 } // namespace
 
 ProjectConnection::ProjectConnection(std::filesystem::path file, QString name, DatabaseAccess access)
@@ -142,10 +159,7 @@ bool isWritable(const std::filesystem::path &file)
 
 Result<std::unique_ptr<ProjectConnection>> ProjectConnection::openForReading(const std::filesystem::path &file)
 {
-    std::error_code problem;
-    std::filesystem::path real = std::filesystem::canonical(file, problem);
-    if (problem)
-        real = file;
+    const std::filesystem::path real = files::realPath(file);
     if (isWritable(real)) {
         auto connection = open(file, DatabaseAccess::QueryOnly);
         if (!connection || !lacksItsLog(**connection))
@@ -266,11 +280,11 @@ std::optional<std::filesystem::path> ProjectConnection::presentPlace() const
 {
     const std::filesystem::path descriptors("/proc/self/fd");
     std::error_code problem;
-    for (const std::string &number : namesIn(descriptors, problem)) {
+    for (const std::string &number : files::namesIn(descriptors, problem)) {
         struct stat there{};
         if (::stat((descriptors / number).c_str(), &there) != 0 || there.st_ino != m_opened.st_ino || there.st_dev != m_opened.st_dev)
             continue;
-        std::filesystem::path place = std::filesystem::read_symlink(descriptors / number, problem);
+        std::filesystem::path place = files::linkTarget(descriptors / number, problem);
         return there.st_nlink > 0 && !problem ? std::optional(std::move(place)) : std::nullopt;
     }
     return std::nullopt;
@@ -308,7 +322,7 @@ Statement &Statement::bind(std::int64_t value)
 Statement &Statement::bind(double value)
 {
     // SQLite would turn NaN into NULL without a word.
-    m_finite = m_finite && std::isfinite(value);
+    m_inRange = m_inRange && std::abs(value) <= largestNumber;
     m_query.bindValue(m_bound++, QVariant(value));
     return *this;
 }
@@ -344,9 +358,9 @@ Statement &Statement::bindReference(RecordId id)
 
 Result<void> Statement::start()
 {
-    if (!m_finite)
+    if (!m_inRange)
         return fail(ErrorCode::InvalidInput, m_connection.displayName(),
-                    "a value to be stored is not a finite number",
+                    "a value to be stored is not a number of ordinary size",
                     "check the input that it was computed from");
     if (!m_prepared || !m_query.exec())
         return failure();
@@ -424,7 +438,8 @@ int Statement::smallInteger(int column) const
 
 double Statement::real(int column) const
 {
-    return m_query.value(column).toDouble();
+    const double value = m_query.value(column).toDouble();
+    return std::isnan(value) ? 0 : std::clamp(value, -largestNumber, largestNumber);
 }
 
 std::optional<double> Statement::optionalReal(int column) const
@@ -436,7 +451,13 @@ std::optional<double> Statement::optionalReal(int column) const
 
 std::string Statement::text(int column) const
 {
-    return m_query.value(column).toString().toStdString();
+    return firstCharacters(m_query.value(column).toString(), maxTextLength).toStdString();
+}
+std::string Statement::name(int column) const
+{
+    // An escaped character is at most eight long, and takes the place of one: no more than this can be shown of it.
+    const QString begin = firstCharacters(m_query.value(column).toString(), maxNameLength + 1);
+    return firstCharacters(QString::fromStdString(plainLine(begin.toStdString())), maxNameLength).toStdString();
 }
 QByteArray Statement::blob(int column) const
 {

@@ -114,9 +114,11 @@ public:
 
     std::int64_t integer(int column) const;
     int smallInteger(int column) const; ///< 0 when it does not fit
-    double real(int column) const;
+    double real(int column) const; ///< within ±largestNumber; 0 for what is no number
     std::optional<double> optionalReal(int column) const;
-    std::string text(int column) const;
+    std::string text(int column) const; ///< its first 20,000 characters
+    /// A name as it can be shown: of one line, without invisible characters (see plainLine), its first 200 characters.
+    std::string name(int column) const;
     QByteArray blob(int column) const;
     RecordId insertedId() const;
 
@@ -127,7 +129,7 @@ private:
     const ProjectConnection &m_connection;
     QSqlQuery m_query;
     bool m_prepared = false;
-    bool m_finite = true;
+    bool m_inRange = true;
     int m_bound = 0;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/file_header.h"
 
+#include "core/base/file_system.h"
 #include "core/project/database_bytes.h"
 #include "core/project/log_copy.h"
 #include "core/project/schema.h"
@@ -66,13 +67,13 @@ bool namesAnotherFile(const std::filesystem::path &journal)
 bool leadsElsewhere(const std::filesystem::path &file)
 {
     std::error_code problem;
-    std::filesystem::path real = std::filesystem::weakly_canonical(file, problem); // SQLite looks beside that one
+    std::filesystem::path real = files::realPath(file, problem); // SQLite looks beside that one
     if (problem)
         real = file;
-    if (std::ranges::any_of(sideFileSuffixes, [&](const char *side) { return std::filesystem::is_symlink(besideFile(real, side), problem); }))
+    if (std::ranges::any_of(sideFileSuffixes, [&](const char *side) { return files::kindOfItself(besideFile(real, side)) == files::Kind::Link; }))
         return true;
     const std::filesystem::path journal = besideFile(real, journalSuffix);
-    return std::filesystem::is_regular_file(journal, problem) && namesAnotherFile(journal);
+    return files::isFile(journal) && namesAnotherFile(journal);
 }
 
 } // namespace
@@ -80,10 +81,12 @@ bool leadsElsewhere(const std::filesystem::path &file)
 Result<void> checkIsFile(const std::filesystem::path &file)
 {
     std::error_code problem;
-    const auto status = std::filesystem::status(file, problem);
-    if (!std::filesystem::exists(status))
+    const files::Kind kind = files::kindOf(file, problem);
+    if (problem)
+        return fail(ErrorCode::Io, nameOf(file), "it cannot be looked at (" + problem.message() + ")", "check that you may read the file");
+    if (kind == files::Kind::Missing)
         return fail(ErrorCode::NotFound, nameOf(file), "there is no such file", "check the name, or make a new project");
-    if (!std::filesystem::is_regular_file(status))
+    if (kind != files::Kind::File)
         return fail(ErrorCode::InvalidInput, nameOf(file), "it is a folder or a device, not a file",
                     "choose a file that Odograph has written");
     return {};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/held_file.h"
 
+#include "core/base/file_system.h"
+
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -69,7 +71,7 @@ bool HeldFile::isHeld(const std::filesystem::path &file)
 std::string HeldFile::wordsOf(const std::filesystem::path &file)
 {
     constexpr std::streamsize mostWords = 300;
-    if (std::error_code problem; !std::filesystem::is_regular_file(file, problem))
+    if (!files::isFile(file))
         return {};
     std::ifstream stream(file);
     std::string words(mostWords, '\0');

@@ -10,12 +10,25 @@ namespace odo {
 
 namespace {
 
+/// A stored place as near to it as a floor reaches.
+Eigen::Vector2d onFloor(const Eigen::Vector2d &point)
+{
+    constexpr double furthestM = 1000; // as isOnFloor has it
+    return point.cwiseMax(-furthestM).cwiseMin(furthestM);
+}
+
 Result<void> checkMarkers(const MarkerLayout &layout)
 {
+    if (layout.markers.size() > mostMarkers)
+        return fail(ErrorCode::InvalidInput, "layout '" + layout.name + "'",
+                    "it has more than " + std::to_string(mostMarkers) + " markers", "leave out those that no camera sees");
     std::set<std::string> labels;
     for (const Marker &marker : layout.markers) {
         if (auto valid = checkName("marker", marker.label); !valid)
             return valid;
+        if (!isOnFloor(marker.pointInWorld))
+            return fail(ErrorCode::InvalidInput, "layout '" + layout.name + "'",
+                        "marker '" + marker.label + "' is not on a floor of 1 km", "check the numbers");
         if (!labels.insert(marker.label).second)
             return fail(ErrorCode::InvalidInput, "layout '" + layout.name + "'",
                         "the label '" + marker.label + "' is there twice",
@@ -28,9 +41,9 @@ Result<LayoutRecord> readLayout(const ProjectConnection &connection, RecordId id
 {
     LayoutRecord record{id, {name, {}}};
     Statement select(
-        connection, QStringLiteral("SELECT label, x_m, y_m FROM marker WHERE layout_id=? ORDER BY position"));
-    auto read = select.bind(id).eachRow([&record](const Statement &row) -> Result<void> {
-        record.layout.markers.push_back({row.text(0), {row.real(1), row.real(2)}});
+        connection, QStringLiteral("SELECT label, x_m, y_m FROM marker WHERE layout_id=? ORDER BY position LIMIT ?"));
+    auto read = select.bind(id).bind(static_cast<std::int64_t>(mostMarkers)).eachRow([&record](const Statement &row) -> Result<void> {
+        record.layout.markers.push_back({row.name(0), onFloor({row.real(1), row.real(2)})});
         return {};
     });
     if (!read)
@@ -42,8 +55,10 @@ Result<LayoutRecord> readLayout(const ProjectConnection &connection, RecordId id
 
 LayoutRepository::LayoutRepository(ProjectConnection &connection) : m_connection(connection) {}
 
-Result<LayoutRecord> LayoutRepository::add(const MarkerLayout &layout)
+Result<LayoutRecord> LayoutRepository::add(const MarkerLayout &given)
 {
+    MarkerLayout layout = given;
+    layout.name = normalName(given.name);
     return transact(m_connection, [&]() -> Result<LayoutRecord> {
         if (auto valid = checkName("layout", layout.name); !valid)
             return tl::unexpected(valid.error());
@@ -71,7 +86,7 @@ Result<std::vector<LayoutRecord>> LayoutRepository::all() const
     std::vector<LayoutRecord> layouts;
     Statement select(m_connection, QStringLiteral("SELECT id, name FROM layout ORDER BY id"));
     auto read = select.eachRow([&](const Statement &row) -> Result<void> {
-        auto layout = readLayout(m_connection, row.integer(0), row.text(1));
+        auto layout = readLayout(m_connection, row.integer(0), row.name(1));
         if (!layout)
             return tl::unexpected(layout.error());
         layouts.push_back(std::move(*layout));
@@ -84,13 +99,12 @@ Result<std::vector<LayoutRecord>> LayoutRepository::all() const
 
 Result<LayoutRecord> LayoutRepository::find(const std::string &name) const
 {
-    Statement select(m_connection, QStringLiteral("SELECT id, name FROM layout WHERE name=?"));
-    const auto found = select.bind(name).firstRow();
-    if (!found)
-        return tl::unexpected(found.error());
-    if (!*found)
+    const auto id = idNamed(m_connection, "layout", name);
+    if (!id)
+        return tl::unexpected(id.error());
+    if (*id == 0)
         return noSuchName(m_connection, "layout", "layout", name);
-    return readLayout(m_connection, select.integer(0), select.text(1));
+    return get(*id);
 }
 
 Result<LayoutRecord> LayoutRepository::get(RecordId id) const
@@ -101,7 +115,7 @@ Result<LayoutRecord> LayoutRepository::get(RecordId id) const
         return tl::unexpected(found.error());
     if (!*found)
         return noSuchId(m_connection, "layout", id);
-    return readLayout(m_connection, select.integer(0), select.text(1));
+    return readLayout(m_connection, select.integer(0), select.name(1));
 }
 
 Result<void> LayoutRepository::setPlaces(const LayoutRecord &layout)
@@ -113,6 +127,8 @@ Result<void> LayoutRepository::setPlaces(const LayoutRecord &layout)
         if (!std::ranges::equal(stored->layout.markers, layout.layout.markers, {}, &Marker::label, &Marker::label))
             return fail(ErrorCode::InvalidInput, "layout '" + stored->layout.name + "'",
                         "the labels are not those that it has", "add another layout for other markers");
+        if (auto valid = checkMarkers({stored->layout.name, layout.layout.markers}); !valid)
+            return valid;
         for (std::size_t i = 0; i < layout.layout.markers.size(); ++i) {
             const Marker &marker = layout.layout.markers[i];
             Statement update(m_connection, QStringLiteral("UPDATE marker SET x_m=?, y_m=? WHERE layout_id=? AND position=?"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/log_copy.h"
 
+#include "core/base/file_system.h"
 #include "core/project/database_bytes.h"
 #include "core/project/side_files.h"
 
@@ -51,8 +52,7 @@ bool copyDatabaseBytes(const std::filesystem::path &from, std::ofstream &into)
 bool hasLog(const std::filesystem::path &file)
 {
     std::error_code problem;
-    const auto bytes = std::filesystem::file_size(besideFile(file, logSuffix), problem);
-    return !problem && bytes > 0;
+    return files::sizeOf(besideFile(file, logSuffix), problem) > 0;
 }
 
 std::filesystem::path LogCopy::file() const
@@ -62,9 +62,9 @@ std::filesystem::path LogCopy::file() const
 
 Result<std::unique_ptr<LogCopy>> LogCopy::make(const std::filesystem::path &file)
 {
-    std::error_code problem;
-    std::string pattern = (std::filesystem::temp_directory_path(problem) / "odograph-XXXXXX").string();
-    if (problem || ::mkdtemp(pattern.data()) == nullptr)
+    const char *told = std::getenv("TMPDIR");
+    std::string pattern = (std::filesystem::path(told != nullptr ? told : "/tmp") / "odograph-XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr)
         return notCopied(file, std::strerror(errno));
     std::unique_ptr<LogCopy> copy(new LogCopy(pattern));
     if (auto filled = copy->fill(file); !filled)
@@ -91,8 +91,7 @@ Result<void> LogCopy::fill(const std::filesystem::path &file) const
 
 LogCopy::~LogCopy()
 {
-    std::error_code problem;
-    std::filesystem::remove_all(m_folder, problem);
+    files::removeAll(m_folder);
 }
 
 } // namespace odo

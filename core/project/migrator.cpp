@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/migrator.h"
 
+#include "core/base/file_system.h"
 #include "core/project/connection.h"
 #include "core/project/new_file.h"
 #include "core/project/quick_check.h"
@@ -22,7 +23,7 @@ std::filesystem::path freeBackupName(const std::filesystem::path &file, std::int
     name += ".bak-";
     name += std::to_string(version);
     const std::filesystem::path first = name;
-    for (int i = 2; std::filesystem::exists(name); ++i) {
+    for (int i = 2; files::exists(name); ++i) {
         name = first;
         name += '.' + std::to_string(i);
     }

@@ -10,17 +10,13 @@ Result<RecordId> idOfName(ProjectConnection &connection, const std::string &tabl
 {
     if (name.empty())
         return 0;
+    const auto known = idNamed(connection, table, name);
+    if (!known || *known != 0)
+        return known;
     if (auto valid = checkName(table, name); !valid)
         return tl::unexpected(valid.error());
-    const QString tableName = QString::fromStdString(table);
-    Statement select(connection, QStringLiteral("SELECT id FROM %1 WHERE name=?").arg(tableName));
-    const auto found = select.bind(name).firstRow();
-    if (!found)
-        return tl::unexpected(found.error());
-    if (*found)
-        return select.integer(0);
-    Statement insert(connection, QStringLiteral("INSERT INTO %1 (name) VALUES (?)").arg(tableName));
-    if (auto done = insert.bind(name).run(); !done)
+    Statement insert(connection, QStringLiteral("INSERT INTO %1 (name) VALUES (?)").arg(QString::fromStdString(table)));
+    if (auto done = insert.bind(normalName(name)).run(); !done)
         return tl::unexpected(done.error());
     return insert.insertedId();
 }
@@ -30,7 +26,7 @@ Result<std::vector<std::string>> textsOf(const ProjectConnection &connection, co
     std::vector<std::string> texts;
     Statement select(connection, sql);
     auto read = select.eachRow([&texts](const Statement &row) -> Result<void> {
-        texts.push_back(row.text(0));
+        texts.push_back(row.name(0));
         return {};
     });
     if (!read)

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/names.h"
 
+#include "core/base/plain_text.h"
 #include "core/project/connection.h"
 
 #include <QStringDecoder>
+#include <algorithm>
 
 namespace odo {
 
@@ -33,7 +35,27 @@ bool breaksLine(uint character)
            category == QChar::Separator_Paragraph;
 }
 
+/// Neither a blank nor what only joins or varies others.
+bool isSeen(uint character)
+{
+    return !QChar::isSpace(character) && !isInvisible(character) && character != 0x200c && character != 0x200d && !QChar::isMark(character);
+}
+
+QString normal(const QString &name) { return name.normalized(QString::NormalizationForm_C).trimmed(); }
+
+/// Only then can the name be written or be shown in another way than it is stored.
+bool hasOtherForms(const std::string &name)
+{
+    return std::ranges::any_of(name, [](char c) { return static_cast<unsigned char>(c) >= 0x80 || c == '\\'; });
+}
+
 } // namespace
+
+std::string normalName(const std::string &name)
+{
+    const std::optional<QString> text = decode(name);
+    return text ? normal(*text).toStdString() : name; // which checkName refuses
+}
 
 Result<void> checkName(const std::string &kind, const std::string &name)
 {
@@ -43,33 +65,61 @@ Result<void> checkName(const std::string &kind, const std::string &name)
     const std::optional<QString> text = decode(name);
     if (!text)
         return refuse("it is not valid UTF-8 text", "type the name anew");
-    if (text->trimmed().isEmpty())
-        return refuse("it is empty", "give the " + kind + " a name");
     const QList<uint> characters = text->toUcs4();
     if (characters.size() > maxNameLength)
         return refuse("it has " + std::to_string(characters.size()) + " characters",
                       "use at most " + std::to_string(maxNameLength));
     if (std::any_of(characters.begin(), characters.end(), breaksLine))
         return refuse("it holds a line break or another control character", "use a name of one line");
+    if (const auto hidden = std::ranges::find_if(characters, isInvisible); hidden != characters.end())
+        return refuse("it holds an invisible character, " + QStringLiteral("U+%1").arg(*hidden, 4, 16, QLatin1Char('0')).toUpper().toStdString(),
+                      "type the name anew");
+    if (std::ranges::none_of(characters, isSeen))
+        return refuse("it is empty", "give the " + kind + " a name");
     return {};
 }
 
 Result<void> checkText(const std::string &kind, const std::string &text)
 {
-    if (!decode(text))
+    const std::optional<QString> decoded = decode(text);
+    if (!decoded)
         return fail(ErrorCode::InvalidInput, kind, "it is not valid UTF-8 text", "type the text anew");
+    const qsizetype characters = decoded->toUcs4().size();
+    if (characters > maxTextLength)
+        return fail(ErrorCode::InvalidInput, kind, "it has " + std::to_string(characters) + " characters",
+                    "use at most " + std::to_string(maxTextLength));
     return {};
+}
+
+Result<RecordId> idNamed(const ProjectConnection &connection, const std::string &table, const std::string &name)
+{
+    const QString rows = QStringLiteral("SELECT id, name FROM %1").arg(QString::fromStdString(table));
+    Statement exact(connection, rows + QStringLiteral(" WHERE name=?"));
+    const std::string wanted = normalName(name);
+    const auto found = exact.bind(wanted).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (*found)
+        return exact.integer(0);
+    if (!hasOtherForms(name))
+        return 0;
+    RecordId other = 0; // stored by an older version, or by another program
+    Statement all(connection, rows + QStringLiteral(" ORDER BY id DESC"));
+    auto read = all.eachRow([&](const Statement &row) -> Result<void> {
+        if (normalName(row.name(1)) == wanted)
+            other = row.integer(0);
+        return {};
+    });
+    return read.map([other] { return other; });
 }
 
 Result<void> checkNameIsFree(const ProjectConnection &connection, const std::string &table,
                              const std::string &kind, const std::string &name)
 {
-    Statement statement(connection,
-                        QStringLiteral("SELECT id FROM %1 WHERE name=?").arg(QString::fromStdString(table)));
-    const auto taken = statement.bind(name).firstRow();
+    const auto taken = idNamed(connection, table, name);
     if (!taken)
         return tl::unexpected(taken.error());
-    if (*taken)
+    if (*taken != 0)
         return fail(ErrorCode::AlreadyExists, kind + " '" + shortened(name) + "'",
                     "the project has a " + kind + " of that name already", "choose another name");
     return {};
@@ -84,7 +134,7 @@ tl::unexpected<Error> noSuchName(const ProjectConnection &connection, const std:
     int count = 0;
     const auto listed = statement.eachRow([&](const Statement &row) -> Result<void> {
         if (++count <= namesToList)
-            list += (list.empty() ? "'" : ", '") + shortened(row.text(0)) + "'";
+            list += (list.empty() ? "'" : ", '") + shortened(row.name(0)) + "'";
         return {};
     });
     if (!listed)

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/project/limits.h"
+#include "core/project/records.h"
 
 #include <string>
 
@@ -9,14 +11,18 @@ namespace odo {
 
 struct ProjectConnection;
 
-constexpr int maxNameLength = 200;
+/// A name as it is stored and compared: composed (NFC), without blanks around it.
+std::string normalName(const std::string &name);
 
-/// A name as people may give it to a camera, robot, team, trial…: UTF-8, not blank, at most 200 characters,
-/// no control characters or line breaks. `kind` is the word for messages ("robot").
+/// A name as people may give it to a camera, robot, team, trial…: UTF-8, something to be seen, at most 200 characters,
+/// no control, invisible or directional characters or line breaks. `kind` is the word for messages ("robot").
 Result<void> checkName(const std::string &kind, const std::string &name);
 
-/// A text that may be long, empty and of several lines; only valid UTF-8 is asked for.
+/// A text that may be empty and of several lines: UTF-8 and at most 20,000 characters.
 Result<void> checkText(const std::string &kind, const std::string &text);
+
+/// The row of that name, in one of the ways in which it can be written or is shown; 0 without one.
+Result<RecordId> idNamed(const ProjectConnection &connection, const std::string &table, const std::string &name);
 
 /// AlreadyExists when the table has a row of that name. `kind` is the word for messages.
 Result<void> checkNameIsFree(const ProjectConnection &connection, const std::string &table,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/new_file.h"
 
+#include "core/base/file_system.h"
 #include "core/project/side_files.h"
 
 #include <cerrno>
@@ -55,14 +56,13 @@ tl::unexpected<Error> NewFile::alreadyThere() const
 
 Result<void> NewFile::prepare()
 {
-    std::error_code problem;
     const std::filesystem::path folder = placeFolder(m_target);
-    if (!std::filesystem::is_directory(folder, problem))
+    if (!files::isFolder(folder))
         return fail(ErrorCode::NotFound, m_what, "there is no folder '" + folder.string() + "'",
                     "make the folder first, or choose another one");
     if (m_target.filename().empty())
         return fail(ErrorCode::InvalidInput, m_what, "it has no file name", "give the file a name");
-    if (std::filesystem::exists(std::filesystem::symlink_status(m_target, problem)))
+    if (files::kindOfItself(m_target) != files::Kind::Missing)
         return alreadyThere();
     const int descriptor = ::open(m_temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0) {
@@ -94,7 +94,7 @@ Result<void> NewFile::publish()
     if (::link(m_temporary.c_str(), m_target.c_str()) != 0) {
         if (errno == EEXIST)
             return alreadyThere();
-        if (std::filesystem::exists(std::filesystem::symlink_status(m_target)))
+        if (files::kindOfItself(m_target) != files::Kind::Missing)
             return alreadyThere();
         if (::rename(m_temporary.c_str(), m_target.c_str()) != 0)
             return ioError(errno);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/opening_check.h"
 
+#include "core/base/file_system.h"
 #include "core/project/connection.h"
 #include "core/project/database_bytes.h"
 #include "core/project/migrator.h"
@@ -91,7 +92,7 @@ bool canBeRead(const std::filesystem::path &file)
 Result<void> quickCheck(const ProjectConnection &connection)
 {
     std::error_code problem;
-    if (std::filesystem::file_size(connection.file(), problem) > quickCheckBytes)
+    if (files::sizeOf(connection.file(), problem) > quickCheckBytes)
         return {};
     // What the disk fails to give looks like damage to SQLite: so it is asked once more.
     for (int attempt = 0; attempt < 2; ++attempt) {

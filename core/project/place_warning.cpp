@@ -2,6 +2,7 @@
 #include "core/project/place_warning.h"
 
 #include "core/base/error.h"
+#include "core/base/file_system.h"
 
 #include <algorithm>
 #include <array>
@@ -48,11 +49,10 @@ std::string withSpaces(const std::string &text)
 
 std::optional<std::string_view> syncProgramOf(const std::filesystem::path &folder)
 {
-    std::error_code problem;
     for (std::filesystem::path each = folder; each.has_relative_path(); each = each.parent_path()) {
         for (const SyncProgram &program : syncPrograms) {
             const bool isNamedSo = !program.folder.empty() && each.filename().string().starts_with(program.folder);
-            if (isNamedSo || (!program.mark.empty() && std::filesystem::exists(each / program.mark, problem)))
+            if (isNamedSo || (!program.mark.empty() && files::exists(each / program.mark)))
                 return program.name;
         }
     }
@@ -88,8 +88,7 @@ std::optional<std::string> placeWarning(const std::filesystem::path &project)
 
 std::optional<std::string> placeWarning(const std::filesystem::path &project, const std::string &mounts)
 {
-    std::error_code problem;
-    const std::filesystem::path file = std::filesystem::weakly_canonical(std::filesystem::absolute(project, problem), problem);
+    const std::filesystem::path file = files::realPath(project);
     const auto warning = [&](const std::string &why) {
         return Error{ErrorCode::Io, "project '" + project.filename().string() + "'", why,
                      "keep it on a disk of this computer, and pack it to share it"}

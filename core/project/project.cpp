@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 
+#include "core/base/file_system.h"
 #include "core/project/change_journal.h"
 #include "core/project/class_repository.h"
 #include "core/project/connection.h"

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project_check.h"
 
+#include "core/base/file_system.h"
 #include "core/project/connection.h"
 #include "core/project/recording_lock.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
+#include "core/project/task_rows.h"
 
 #include <set>
 
@@ -51,7 +53,7 @@ void checkFile(const KeptFile &kept, bool withHash, Problems &problems)
         problems.push_back({what, kept.file.string(), advice});
     };
     std::error_code problem;
-    const std::uintmax_t bytes = std::filesystem::file_size(kept.file, problem);
+    const std::uintmax_t bytes = files::sizeOf(kept.file, problem);
     if (problem)
         return report(kept.name + " is missing", kept.adviceWhenMissing);
     if (bytes != static_cast<std::uintmax_t>(kept.bytes))
@@ -168,7 +170,7 @@ Result<std::vector<ProjectProblem>> checkProject(Project &project, ProjectConnec
     if (auto checked = checkDatabase(connection, problems); !checked)
         problems.push_back({checked.error().why, connection.file().filename().string(), restoreAdvice});
     const auto robots = project.robots().all();
-    const auto tasks = project.tasks().all();
+    const auto tasks = checkStoredTasks(connection);
     const auto trials = project.trials().all();
     for (const auto &[readable, error] : {std::pair{robots.has_value(), robots ? Error{} : robots.error()},
                                           std::pair{tasks.has_value(), tasks ? Error{} : tasks.error()},

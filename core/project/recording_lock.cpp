@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/recording_lock.h"
 
+#include "core/base/file_system.h"
+
 #include <system_error>
 
 namespace odo {
@@ -18,7 +20,7 @@ Result<std::unique_ptr<RecordingLock>> RecordingLock::take(const std::filesystem
 {
     const std::string what = "cannot record into " + mediaFolder.string();
     std::error_code problem;
-    std::filesystem::create_directories(mediaFolder, problem);
+    files::makeFolders(mediaFolder, problem);
     if (problem)
         return fail(ErrorCode::Io, what, problem.message(),
                     "check the free space and the rights of the project's folder");

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/recording_rows.h"
 
+#include "core/base/file_system.h"
 #include "core/project/connection.h"
 #include "core/project/names.h"
 #include "core/project/series_blobs.h"
 
 #include <QCryptographicHash>
 #include <QFile>
+#include <algorithm>
 
 namespace odo {
 
 namespace {
+
+constexpr int largestSidePx = 32'000; // of a picture that is read at all
 
 const QString recordingColumns =
     QStringLiteral("SELECT recording.id, trial_id, camera_id, camera.name, position, path, sha256, bytes, width_px, "
@@ -19,9 +23,7 @@ const QString recordingColumns =
 /// The folder of the project, absolute and without "." and "..".
 std::filesystem::path folderOf(const std::filesystem::path &projectFile)
 {
-    std::error_code problem;
-    const std::filesystem::path absolute = std::filesystem::absolute(projectFile, problem);
-    return (problem ? projectFile : absolute).lexically_normal().parent_path();
+    return files::absolute(projectFile).lexically_normal().parent_path();
 }
 
 bool climbsOut(const std::filesystem::path &relative)
@@ -58,14 +60,14 @@ RecordingRecord recordingOf(const Statement &row)
     recording.id = row.integer(0);
     recording.trial = row.integer(1);
     recording.camera = row.integer(2);
-    recording.cameraName = row.text(3);
+    recording.cameraName = row.name(3);
     recording.position = row.smallInteger(4);
     recording.path = row.text(5);
     recording.sha256 = row.text(6);
     recording.bytes = row.integer(7);
-    recording.widthPx = row.smallInteger(8);
-    recording.heightPx = row.smallInteger(9);
-    recording.framesPerSecond = row.real(10);
+    recording.widthPx = std::clamp(row.smallInteger(8), 0, largestSidePx);
+    recording.heightPx = std::clamp(row.smallInteger(9), 0, largestSidePx);
+    recording.framesPerSecond = std::clamp(row.real(10), 0.0, highestFrameRate);
     recording.startOffsetS = row.real(11);
     recording.clockRate = row.real(12);
     recording.syncMethod = row.text(13);
@@ -145,8 +147,8 @@ Result<void> updateRecording(ProjectConnection &connection, const RecordingRecor
 Result<std::vector<RecordingRecord>> recordingsOf(const ProjectConnection &connection, RecordId trial)
 {
     Statement select(connection, recordingColumns + QStringLiteral("FROM recording JOIN camera ON camera.id=camera_id "
-                                                                   "WHERE trial_id=? ORDER BY position"));
-    return readWhole(connection, select.bind(trial));
+                                                                   "WHERE trial_id=? ORDER BY position LIMIT ?"));
+    return readWhole(connection, select.bind(trial).bind(static_cast<std::int64_t>(mostViews)));
 }
 
 Result<std::vector<RecordingRecord>> recordingsWithoutTimes(const ProjectConnection &connection)

@@ -73,7 +73,7 @@ Result<void> readMarkers(const ProjectConnection &connection, RegistrationRecord
     Statement pixels(connection, QStringLiteral("SELECT label, u_px, v_px FROM registration_pixel "
                                                 "WHERE registration_id=? ORDER BY position"));
     auto read = pixels.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
-        into.pixels.push_back({row.text(0), {row.real(1), row.real(2)}});
+        into.pixels.push_back({row.name(0), {row.real(1), row.real(2)}});
         return {};
     });
     if (!read)
@@ -81,7 +81,7 @@ Result<void> readMarkers(const ProjectConnection &connection, RegistrationRecord
     Statement errors(connection, QStringLiteral("SELECT label, error_m, error_px FROM registration_error "
                                                 "WHERE registration_id=? ORDER BY position"));
     return errors.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
-        into.registration.markers.push_back({row.text(0), row.real(1), row.real(2)});
+        into.registration.markers.push_back({row.name(0), row.real(1), row.real(2)});
         return {};
     });
 }

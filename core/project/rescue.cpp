@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/rescue.h"
 
+#include "core/base/file_system.h"
 #include "core/project/project.h"
 
 #include <cstdlib>
@@ -14,12 +15,11 @@ namespace {
 std::vector<std::filesystem::path> foldersFor(const Project &project)
 {
     std::vector<std::filesystem::path> folders;
-    std::error_code problem;
     const auto add = [&](const std::filesystem::path &folder) {
-        if (std::filesystem::is_directory(folder, problem))
+        if (files::isFolder(folder))
             folders.push_back(folder);
     };
-    add(std::filesystem::absolute(project.file(), problem).parent_path());
+    add(files::absolute(project.file()).parent_path());
     if (const auto now = project.presentPlace())
         add(now->parent_path());
     if (const char *home = std::getenv("HOME"))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/restored_backup.h"
 
+#include "core/base/file_system.h"
 #include "core/project/connection.h"
 #include "core/project/migrator.h"
 #include "core/project/new_file.h"
@@ -20,8 +21,7 @@ namespace {
 
 bool isThere(const std::filesystem::path &file)
 {
-    std::error_code problem;
-    return std::filesystem::exists(std::filesystem::symlink_status(file, problem));
+    return files::kindOfItself(file) != files::Kind::Missing;
 }
 
 std::filesystem::path freeName(const std::filesystem::path &first)
@@ -99,11 +99,11 @@ Result<RestoredBackup> restoreBackup(const std::filesystem::path &project)
         return fail(ErrorCode::NotFound, what, "no sound backup lies beside it", "restore it from a backup copy");
     const auto refused = [&](ErrorCode code, const std::string &why) { return fail(code, what, why, adviceToCopy(*backup)); };
     std::error_code problem;
-    std::filesystem::path real = std::filesystem::canonical(project, problem); // a link stays one
+    std::filesystem::path real = files::realPath(project, problem); // a link stays one
     if (problem)
         real = project;
     const FreshCopy fresh{besideFile(real, ".new-" + std::to_string(::getpid()))};
-    std::filesystem::remove(fresh.file, problem);
+    files::remove(fresh.file, problem);
     const auto source = ProjectConnection::open(*backup, DatabaseAccess::Immutable);
     if (!source)
         return refused(source.error().code, source.error().why);

@@ -5,6 +5,8 @@
 #include "core/project/repositories.h"
 #include "core/project/stored_words.h"
 
+#include <algorithm>
+
 namespace odo {
 
 namespace {
@@ -12,11 +14,17 @@ namespace {
 const QString robotColumns =
     QStringLiteral("SELECT id, name, colour, height_mode, height_m, length_m, width_m, drawing_colour FROM robot ");
 
+std::optional<double> sizeOf(const Statement &row, int column)
+{
+    const auto size = row.optionalReal(column);
+    return size ? std::optional(std::clamp(*size, 0.0, double(largestRobotM))) : size;
+}
+
 Result<RobotRecord> robotOf(const Statement &row)
 {
     RobotRecord robot;
     robot.id = row.integer(0);
-    robot.name = row.text(1);
+    robot.name = row.name(1);
     const auto colour = parseColour(row.text(2));
     if (!colour)
         return tl::unexpected(colour.error());
@@ -25,13 +33,19 @@ Result<RobotRecord> robotOf(const Statement &row)
         return tl::unexpected(mode.error());
     robot.colour = *colour;
     robot.heightMode = *mode;
-    robot.heightM = row.optionalReal(4);
-    robot.lengthM = row.optionalReal(5);
-    robot.widthM = row.optionalReal(6);
+    robot.heightM = sizeOf(row, 4);
+    robot.lengthM = sizeOf(row, 5);
+    robot.widthM = sizeOf(row, 6);
     const auto drawing = fromStoredWord(drawingColourWords, row.text(7), "robot '" + robot.name + "'");
     if (!drawing)
         return tl::unexpected(drawing.error());
     robot.drawingColour = *drawing;
+    return robot;
+}
+
+RobotRecord withNormalName(RobotRecord robot)
+{
+    robot.name = normalName(robot.name);
     return robot;
 }
 
@@ -50,6 +64,10 @@ Result<void> checkRobot(const RobotRecord &robot)
         if (size && !(*size > 0))
             return refuse("its size is not above 0", "give length and width in millimetres, like 260x190");
     }
+    for (const auto &size : {robot.heightM, robot.lengthM, robot.widthM}) {
+        if (size && *size > largestRobotM)
+            return refuse("it is larger than " + std::to_string(largestRobotM) + " m", "check the numbers");
+    }
     return {};
 }
 
@@ -57,8 +75,9 @@ Result<void> checkRobot(const RobotRecord &robot)
 
 RobotRepository::RobotRepository(ProjectConnection &connection) : m_connection(connection) {}
 
-Result<RobotRecord> RobotRepository::add(const RobotRecord &robot)
+Result<RobotRecord> RobotRepository::add(const RobotRecord &given)
 {
+    const RobotRecord robot = withNormalName(given);
     return transact(m_connection, [&]() -> Result<RobotRecord> {
         if (auto valid = checkRobot(robot); !valid)
             return tl::unexpected(valid.error());
@@ -97,13 +116,12 @@ Result<std::vector<RobotRecord>> RobotRepository::all() const
 
 Result<RobotRecord> RobotRepository::find(const std::string &name) const
 {
-    Statement select(m_connection, robotColumns + QStringLiteral("WHERE name=?"));
-    const auto found = select.bind(name).firstRow();
-    if (!found)
-        return tl::unexpected(found.error());
-    if (!*found)
+    const auto id = idNamed(m_connection, "robot", name);
+    if (!id)
+        return tl::unexpected(id.error());
+    if (*id == 0)
         return noSuchName(m_connection, "robot", "robot", name);
-    return robotOf(select);
+    return get(*id);
 }
 
 Result<RobotRecord> RobotRepository::get(RecordId id) const
@@ -117,8 +135,9 @@ Result<RobotRecord> RobotRepository::get(RecordId id) const
     return robotOf(select);
 }
 
-Result<void> RobotRepository::set(const RobotRecord &robot)
+Result<void> RobotRepository::set(const RobotRecord &given)
 {
+    const RobotRecord robot = withNormalName(given);
     return transact(m_connection, [&]() -> Result<void> {
         const auto known = get(robot.id);
         if (!known)

@@ -73,7 +73,7 @@ Result<std::vector<ScoredFigures>> AnalysisRepository::scoredFigures(Instant fro
     read = metrics.eachRow([&](const Statement &row) -> Result<void> {
         if (const auto run = runOf.find(row.integer(0));
             run != runOf.end()) // not of one that came in between
-            runs[run->second].metrics.push_back({row.text(1), row.text(2), row.real(3), row.optionalReal(4)});
+            runs[run->second].metrics.push_back({row.name(1), row.name(2), row.real(3), row.optionalReal(4)});
         return {};
     });
     if (!read)
@@ -93,7 +93,7 @@ Result<std::vector<OtherwiseMeasured>> AnalysisRepository::trialsMeasuredOtherwi
             "newer.trial_id=trial.id AND newer.robot_id=analysis.robot_id) ORDER BY trial.id")
             .arg(courseCondition));
     auto read = select.eachRow([&trials](const Statement &row) -> Result<void> {
-        trials.push_back({row.integer(0), row.text(1), row.text(2), row.optionalReal(3).has_value()});
+        trials.push_back({row.integer(0), row.name(1), row.name(2), row.optionalReal(3).has_value()});
         return {};
     });
     if (!read)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/sound_backup.h"
 
-#include "core/base/folder_names.h"
+#include "core/base/file_system.h"
 #include "core/project/connection.h"
 #include "core/project/file_header.h"
 #include "core/project/quick_check.h"
@@ -40,10 +40,10 @@ std::optional<std::filesystem::path> soundBackupOf(const std::filesystem::path &
     const std::filesystem::path folder = project.has_parent_path() ? project.parent_path() : std::filesystem::path(".");
     std::vector<std::pair<std::filesystem::file_time_type, std::filesystem::path>> backups;
     std::error_code problem;
-    for (const std::string &name : namesIn(folder, problem)) {
+    for (const std::string &name : files::namesIn(folder, problem)) {
         if (!name.starts_with(start) || !isBackupNumber(std::string_view(name).substr(start.size())))
             continue;
-        const auto written = std::filesystem::last_write_time(folder / name, problem);
+        const auto written = files::lastWritten(folder / name, problem);
         if (!problem)
             backups.emplace_back(written, folder / name);
     }

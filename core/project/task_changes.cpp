@@ -112,8 +112,9 @@ Result<std::vector<TaskRecord>> TaskRepository::current() const
     return tasks;
 }
 
-Result<void> TaskRepository::rename(RecordId task, const std::string &name)
+Result<void> TaskRepository::rename(RecordId task, const std::string &given)
 {
+    const std::string name = normalName(given);
     return transact(m_connection, [&]() -> Result<void> {
         const auto known = get(task);
         if (!known || known->name == name)

@@ -4,6 +4,7 @@
 #include "core/project/repositories.h"
 #include "core/project/series_blobs.h"
 #include "core/project/stored_words.h"
+#include "core/project/task_rows.h"
 
 namespace odo {
 
@@ -43,13 +44,13 @@ Result<void> readZones(const ProjectConnection &connection, const std::string &w
 {
     Statement select(connection, QStringLiteral("SELECT name, rule, corners FROM zone WHERE task_id=? ORDER BY position"));
     return select.bind(into.id).eachRow([&](const Statement &row) -> Result<void> {
-        const auto rule = fromStoredWord(zoneRuleWords, row.text(1), "zone '" + row.text(0) + "'");
+        const auto rule = fromStoredWord(zoneRuleWords, row.text(1), "zone '" + row.name(0) + "'");
         if (!rule)
             return tl::unexpected(rule.error());
-        auto corners = unpackPlaces(row.blob(2), what, "its zone '" + row.text(0) + "'");
+        auto corners = unpackPlaces(row.blob(2), what, "its zone '" + row.name(0) + "'");
         if (!corners)
             return tl::unexpected(corners.error());
-        into.task.zones.push_back({row.text(0), *rule, std::move(*corners)});
+        into.task.zones.push_back({row.name(0), *rule, std::move(*corners)});
         return {};
     });
 }
@@ -59,20 +60,18 @@ Result<void> readGates(const ProjectConnection &connection, TaskRecord &into)
     Statement select(connection, QStringLiteral("SELECT name, role, from_x_m, from_y_m, to_x_m, to_y_m FROM gate "
                                                 "WHERE task_id=? ORDER BY position"));
     return select.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
-        const auto role = fromStoredWord(gateRoleWords, row.text(1), "gate '" + row.text(0) + "'");
+        const auto role = fromStoredWord(gateRoleWords, row.text(1), "gate '" + row.name(0) + "'");
         if (!role)
             return tl::unexpected(role.error());
         into.task.gates.push_back(
-            {row.text(0), *role, {row.real(2), row.real(3)}, {row.real(4), row.real(5)}});
+            {row.name(0), *role, {row.real(2), row.real(3)}, {row.real(4), row.real(5)}});
         return {};
     });
 }
 
-Result<TaskRecord> readTask(const ProjectConnection &connection, const Statement &row)
+/// Its course into `record`; fails where it cannot be used.
+Result<void> readCourse(const ProjectConnection &connection, const Statement &row, TaskRecord &record)
 {
-    TaskRecord record;
-    record.id = row.integer(0);
-    record.name = row.text(1);
     const std::string what = "task '" + record.name + "'";
     const auto kind = fromStoredWord(taskTemplateWords, row.text(2), what);
     if (!kind)
@@ -83,15 +82,42 @@ Result<TaskRecord> readTask(const ProjectConnection &connection, const Statement
         return tl::unexpected(path.error());
     record.task.path = {std::move(*path), row.integer(4) != 0};
     record.task.limits = {row.optionalReal(5), row.optionalReal(6)};
-    if (row.optionalReal(7))
-        record.archived = Instant(std::chrono::milliseconds(row.integer(7)));
     if (auto read = readGates(connection, record); !read)
-        return tl::unexpected(read.error());
+        return read;
     if (auto read = readZones(connection, what, record); !read)
-        return tl::unexpected(read.error());
+        return read;
     if (auto valid = checkTask(record.task); !valid)
         return fail(valid.error().code, what, valid.error().what + ": " + valid.error().why, restoreAdvice);
+    return {};
+}
+
+/// Without its course.
+TaskRecord taskOf(const Statement &row)
+{
+    TaskRecord record;
+    record.id = row.integer(0);
+    record.name = row.name(1);
+    if (row.optionalReal(7))
+        record.archived = Instant(std::chrono::milliseconds(row.integer(7)));
     return record;
+}
+
+TaskRecord readTask(const ProjectConnection &connection, const Statement &row)
+{
+    TaskRecord record = taskOf(row);
+    if (!readCourse(connection, row, record))
+        record.task = {}; // checkStoredTasks tells why
+    return record;
+}
+
+TaskRecord withNormalNames(TaskRecord task)
+{
+    task.name = normalName(task.name);
+    for (Gate &gate : task.task.gates)
+        gate.name = normalName(gate.name);
+    for (Zone &zone : task.task.zones)
+        zone.name = normalName(zone.name);
+    return task;
 }
 
 Result<void> addGates(ProjectConnection &connection, RecordId task, const std::vector<Gate> &gates)
@@ -125,10 +151,20 @@ Result<void> addZones(ProjectConnection &connection, RecordId task, const std::v
 
 } // namespace
 
+Result<void> checkStoredTasks(const ProjectConnection &connection)
+{
+    Statement select(connection, taskColumns + QStringLiteral("ORDER BY id"));
+    return select.eachRow([&](const Statement &row) -> Result<void> {
+        TaskRecord record = taskOf(row);
+        return readCourse(connection, row, record);
+    });
+}
+
 TaskRepository::TaskRepository(ProjectConnection &connection) : m_connection(connection) {}
 
-Result<TaskRecord> TaskRepository::add(const TaskRecord &task)
+Result<TaskRecord> TaskRepository::add(const TaskRecord &given)
 {
+    const TaskRecord task = withNormalNames(given);
     return transact(m_connection, [&]() -> Result<TaskRecord> {
         if (auto valid = checkName("task", task.name); !valid)
             return tl::unexpected(valid.error());
@@ -159,10 +195,7 @@ Result<std::vector<TaskRecord>> TaskRepository::all() const
     std::vector<TaskRecord> tasks;
     Statement select(m_connection, taskColumns + QStringLiteral("ORDER BY id"));
     auto read = select.eachRow([&](const Statement &row) -> Result<void> {
-        auto task = readTask(m_connection, row);
-        if (!task)
-            return tl::unexpected(task.error());
-        tasks.push_back(std::move(*task));
+        tasks.push_back(readTask(m_connection, row));
         return {};
     });
     if (!read)
@@ -172,13 +205,12 @@ Result<std::vector<TaskRecord>> TaskRepository::all() const
 
 Result<TaskRecord> TaskRepository::find(const std::string &name) const
 {
-    Statement select(m_connection, taskColumns + QStringLiteral("WHERE name=?"));
-    const auto found = select.bind(name).firstRow();
-    if (!found)
-        return tl::unexpected(found.error());
-    if (!*found)
+    const auto id = idNamed(m_connection, "task", name);
+    if (!id)
+        return tl::unexpected(id.error());
+    if (*id == 0)
         return noSuchName(m_connection, "task", "task", name);
-    return readTask(m_connection, select);
+    return get(*id);
 }
 
 Result<TaskRecord> TaskRepository::get(RecordId id) const

@@ -17,14 +17,14 @@ const QString teamColumns = QStringLiteral("SELECT team.id, team.name, class.nam
                                            "LEFT JOIN class ON class.id=team.class_id ");
 
 /// The teams that a condition with one parameter means, or all, with their members and robots: three queries, however many teams.
-Result<std::vector<TeamRecord>> readTeams(const ProjectConnection &connection, const char *condition, const std::string *name)
+Result<std::vector<TeamRecord>> readTeams(const ProjectConnection &connection, const char *condition, const RecordId *id)
 {
     std::vector<TeamRecord> teams;
     std::unordered_map<RecordId, std::size_t> placeOf;
     const auto read = [&](const QString &sql, const char *order, const auto &take) {
         Statement select(connection, sql + QLatin1String(condition) + QLatin1String(order));
-        if (name)
-            select.bind(*name);
+        if (id)
+            select.bind(*id);
         return select.eachRow([&take](const Statement &row) -> Result<void> {
             take(row);
             return {};
@@ -36,13 +36,13 @@ Result<std::vector<TeamRecord>> readTeams(const ProjectConnection &connection, c
     };
     auto done = read(teamColumns, " ORDER BY team.id", [&](const Statement &row) {
         placeOf.emplace(row.integer(0), teams.size());
-        teams.push_back({row.integer(0), row.text(1), row.text(2), row.text(3)});
+        teams.push_back({row.integer(0), row.name(1), row.name(2), row.name(3)});
     });
     if (done)
         done = read(QStringLiteral("SELECT team.id, team_member.name FROM team JOIN team_member ON team_id=team.id "),
                     " ORDER BY team.id, position", [&](const Statement &row) {
-                        if (TeamRecord *team = teamOf(row))
-                            team->members.push_back(row.text(1));
+                        if (TeamRecord *team = teamOf(row); team && team->members.size() < mostMembers)
+                            team->members.push_back(row.name(1));
                     });
     if (done)
         done = read(QStringLiteral("SELECT team.id, robot_id FROM team JOIN team_robot ON team_id=team.id "),
@@ -53,6 +53,15 @@ Result<std::vector<TeamRecord>> readTeams(const ProjectConnection &connection, c
     if (!done)
         return tl::unexpected(done.error());
     return teams;
+}
+
+TeamRecord withNormalNames(TeamRecord team)
+{
+    team.name = normalName(team.name);
+    team.pseudonym = normalName(team.pseudonym);
+    for (std::string &member : team.members)
+        member = normalName(member);
+    return team;
 }
 
 Result<void> checkTeam(const TeamRecord &team)
@@ -104,8 +113,9 @@ Result<void> setLists(ProjectConnection &connection, RecordId id, const TeamReco
 
 TeamRepository::TeamRepository(ProjectConnection &connection) : m_connection(connection) {}
 
-Result<TeamRecord> TeamRepository::add(const TeamRecord &team)
+Result<TeamRecord> TeamRepository::add(const TeamRecord &given)
 {
+    const TeamRecord team = withNormalNames(given);
     return transact(m_connection, [&]() -> Result<TeamRecord> {
         if (auto valid = checkTeam(team); !valid)
             return tl::unexpected(valid.error());
@@ -132,16 +142,17 @@ Result<std::vector<TeamRecord>> TeamRepository::all() const
 
 Result<TeamRecord> TeamRepository::find(const std::string &name) const
 {
-    auto teams = readTeams(m_connection, "WHERE team.name=?", &name);
-    if (!teams)
-        return tl::unexpected(teams.error());
-    if (teams->empty())
+    const auto id = idNamed(m_connection, "team", name);
+    if (!id)
+        return tl::unexpected(id.error());
+    if (*id == 0)
         return noSuchName(m_connection, "team", "team", name);
-    return std::move(teams->front());
+    return readTeams(m_connection, "WHERE team.id=?", &*id).map([](auto &&teams) { return std::move(teams.front()); });
 }
 
-Result<void> TeamRepository::set(const TeamRecord &team)
+Result<void> TeamRepository::set(const TeamRecord &given)
 {
+    const TeamRecord team = withNormalNames(given);
     return transact(m_connection, [&]() -> Result<void> {
         if (auto valid = checkTeam(team); !valid)
             return valid;
@@ -149,7 +160,7 @@ Result<void> TeamRepository::set(const TeamRecord &team)
         const auto found = known.bind(team.id).firstRow();
         if (!found || !*found)
             return found ? noSuchId(m_connection, "team", team.id) : tl::unexpected(found.error());
-        if (known.text(0) != team.name)
+        if (known.name(0) != team.name)
             if (auto isFree = checkNameIsFree(m_connection, "team", "team", team.name); !isFree)
                 return isFree;
         const auto classId = idOfName(m_connection, "class", team.className);
@@ -171,7 +182,7 @@ Result<void> TeamRepository::remove(RecordId team)
             return found ? noSuchId(m_connection, "team", team) : tl::unexpected(found.error());
         const int trials = known.smallInteger(1);
         if (trials > 0)
-            return fail(ErrorCode::InvalidInput, "team '" + known.text(0) + "'",
+            return fail(ErrorCode::InvalidInput, "team '" + known.name(0) + "'",
                         trials == 1 ? "a trial is its" : std::to_string(trials) + " trials are its",
                         "delete them for good first, or archive its class");
         if (auto gone = removeLists(m_connection, team); !gone)

@@ -7,6 +7,8 @@
 #include "core/project/names.h"
 #include "core/project/repositories.h"
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace odo {
@@ -40,7 +42,9 @@ Result<void> TrialRepository::setTags(RecordId trial, const std::vector<std::str
             return tl::unexpected(known.error());
         if (auto removed = runFor(m_connection, "DELETE FROM trial_tag WHERE trial_id=?", trial); !removed)
             return removed;
-        for (const std::string &tag : std::set(tags.begin(), tags.end())) {
+        std::set<std::string> normalTags;
+        std::ranges::transform(tags, std::inserter(normalTags, normalTags.end()), normalName);
+        for (const std::string &tag : normalTags) {
             if (auto valid = checkName("tag", tag); !valid)
                 return valid;
             Statement insert(m_connection, QStringLiteral("INSERT INTO trial_tag VALUES (?,?)"));

@@ -5,11 +5,13 @@
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace odo {
 
 namespace {
+
 
 const QString trialColumns = QStringLiteral(
     "SELECT trial.id, trial.name, trial.team_id, team.name, class.name, task.name, date_ms, notes, "
@@ -31,11 +33,11 @@ TrialRecord trialOf(const Statement &row)
 {
     TrialRecord trial;
     trial.id = row.integer(0);
-    trial.name = row.text(1);
+    trial.name = row.name(1);
     trial.team = row.integer(2);
-    trial.teamName = row.text(3);
-    trial.className = row.text(4);
-    trial.task = row.text(5);
+    trial.teamName = row.name(3);
+    trial.className = row.name(4);
+    trial.task = row.name(5);
     trial.date = Instant(std::chrono::milliseconds(row.integer(6)));
     trial.notes = row.text(7);
     trial.syncMethod = row.text(8);
@@ -45,12 +47,12 @@ TrialRecord trialOf(const Statement &row)
     trial.durationS = row.real(12);
     trial.syncRate = row.real(13);
     trial.syncRateSigma = row.real(14);
-    trial.viewCount = row.smallInteger(15);
+    trial.viewCount = std::min(row.smallInteger(15), static_cast<int>(mostViews));
     trial.unfinished = row.text(16) == "recording";
     trial.starred = row.integer(17) != 0;
     trial.archived = instantOf(row, 18);
     trial.binned = instantOf(row, 19);
-    trial.teamPseudonym = row.text(20);
+    trial.teamPseudonym = row.name(20);
     return trial;
 }
 
@@ -81,14 +83,19 @@ Result<void> addLists(const ProjectConnection &connection, const Choice &choice,
                                       "JOIN trial_robot ON trial_id=trial.id JOIN robot ON robot.id=robot_id "
                                       "WHERE %1 ORDER BY trial_id, trial_robot.position"),
                        [](TrialRecord &trial, const Statement &row) {
+                           if (trial.robots.size() == mostRobots)
+                               return;
                            trial.robots.push_back(row.integer(1));
-                           trial.robotNames.push_back(row.text(2));
+                           trial.robotNames.push_back(row.name(2));
                        });
     if (!robots)
         return robots;
     return read(QStringLiteral("SELECT trial_id, tag FROM trial JOIN trial_tag ON trial_id=trial.id "
                                "WHERE %1 ORDER BY trial_id, tag"),
-                [](TrialRecord &trial, const Statement &row) { trial.tags.push_back(row.text(1)); });
+                [](TrialRecord &trial, const Statement &row) {
+                    if (trial.tags.size() < mostTags)
+                        trial.tags.push_back(row.name(1));
+                });
 }
 
 Result<std::vector<TrialRecord>> readTrials(const ProjectConnection &connection, const Choice &choice)
@@ -134,6 +141,9 @@ Result<RecordId> addRow(ProjectConnection &connection, const TrialRecord &trial)
 
 Result<void> addRobots(ProjectConnection &connection, RecordId trial, const std::vector<RecordId> &robots)
 {
+    if (robots.size() > mostRobots)
+        return fail(ErrorCode::InvalidInput, "trial " + std::to_string(trial) + " of the project",
+                    "it has " + std::to_string(robots.size()) + " robots", "use at most " + std::to_string(mostRobots));
     for (std::size_t i = 0; i < robots.size(); ++i) {
         Statement insert(connection, QStringLiteral("INSERT INTO trial_robot VALUES (?,?,?)"));
         insert.bind(trial).bind(static_cast<std::int64_t>(i)).bind(robots[i]);
@@ -147,10 +157,15 @@ Result<void> addRobots(ProjectConnection &connection, RecordId trial, const std:
 
 TrialRepository::TrialRepository(ProjectConnection &connection) : m_connection(connection) {}
 
-Result<TrialRecord> TrialRepository::add(const TrialRecord &trial,
+Result<TrialRecord> TrialRepository::add(const TrialRecord &given,
                                          const std::vector<RecordingRecord> &recordings)
 {
+    TrialRecord trial = given;
+    trial.name = normalName(given.name);
     return transact(m_connection, [&]() -> Result<TrialRecord> {
+        if (recordings.size() > mostViews)
+            return fail(ErrorCode::InvalidInput, "trial '" + trial.name + "'", "it has " + std::to_string(recordings.size()) + " views",
+                        "use at most " + std::to_string(mostViews));
         const auto id = addRow(m_connection, trial);
         if (!id)
             return tl::unexpected(id.error());
@@ -200,7 +215,7 @@ Result<std::vector<TrialName>> TrialRepository::names() const
     Statement select(m_connection, QStringLiteral("SELECT trial.id, trial.name, team.name, trial.state, binned_ms FROM trial "
                                                   "LEFT JOIN team ON team.id=team_id ORDER BY date_ms DESC, trial.id DESC"));
     auto read = select.eachRow([&names](const Statement &row) -> Result<void> {
-        names.push_back({row.integer(0), row.text(1), row.text(2), row.text(3) == "recording", instantOf(row, 4).has_value()});
+        names.push_back({row.integer(0), row.name(1), row.name(2), row.text(3) == "recording", instantOf(row, 4).has_value()});
         return {};
     });
     if (!read)
@@ -210,13 +225,12 @@ Result<std::vector<TrialName>> TrialRepository::names() const
 
 Result<TrialRecord> TrialRepository::find(const std::string &name) const
 {
-    Statement select(m_connection, QStringLiteral("SELECT id FROM trial WHERE name=?"));
-    const auto found = select.bind(name).firstRow();
-    if (!found)
-        return tl::unexpected(found.error());
-    if (!*found)
+    const auto id = idNamed(m_connection, "trial", name);
+    if (!id)
+        return tl::unexpected(id.error());
+    if (*id == 0)
         return noSuchName(m_connection, "trial", "trial", name);
-    return get(select.integer(0));
+    return get(*id);
 }
 
 Result<TrialRecord> TrialRepository::get(RecordId id) const

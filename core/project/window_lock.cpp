@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/window_lock.h"
 
+#include "core/base/file_system.h"
+
 #include <QString>
 #include <QSysInfo>
 
@@ -11,7 +13,7 @@ namespace {
 std::filesystem::path lockFile(const std::filesystem::path &project)
 {
     std::error_code problem;
-    std::filesystem::path file = std::filesystem::weakly_canonical(project, problem); // two ways to one file
+    std::filesystem::path file = files::realPath(project, problem); // two ways to one file
     if (problem)
         file = project;
     file += ".lock";

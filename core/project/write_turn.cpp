@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/write_turn.h"
 
+#include "core/base/file_system.h"
+
 #include <cerrno>
 #include <fcntl.h>
 #include <map>
@@ -12,22 +14,11 @@
 
 namespace odo {
 
-namespace {
-
-std::filesystem::path wholePath(const std::filesystem::path &file)
-{
-    std::error_code problem;
-    const std::filesystem::path whole = std::filesystem::weakly_canonical(file, problem);
-    return problem ? file : whole;
-}
-
-} // namespace
-
 std::shared_ptr<WriteTurn> WriteTurn::of(const std::filesystem::path &file)
 {
     static std::mutex mutex;
     static std::map<std::filesystem::path, std::weak_ptr<WriteTurn>> turns;
-    const std::filesystem::path whole = wholePath(file);
+    const std::filesystem::path whole = files::realPath(file);
     const std::lock_guard lock(mutex);
     std::erase_if(turns, [](const auto &turn) { return turn.second.expired(); });
     std::weak_ptr<WriteTurn> &known = turns[whole];

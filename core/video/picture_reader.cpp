@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/picture_reader.h"
 
+#include "core/base/file_system.h"
 #include "core/base/shortage.h"
 #include "core/video/jpeg_decoder.h"
 #include "core/video/jpeg_file.h"
@@ -33,14 +34,16 @@ std::string cannotRead(const std::filesystem::path &file)
 Result<FileContent> readFile(const std::filesystem::path &file)
 {
     std::error_code error;
-    const auto status = std::filesystem::status(file, error);
-    if (status.type() == std::filesystem::file_type::not_found)
+    const files::Kind kind = files::kindOf(file, error);
+    if (kind == files::Kind::Missing && !error)
         return fail(ErrorCode::NotFound, cannotRead(file), "there is no such file",
                     "check the name and the folder");
-    if (status.type() != std::filesystem::file_type::regular)
+    if (error)
+        return fail(ErrorCode::Io, cannotRead(file), error.message(), "check the permissions of its folder");
+    if (kind != files::Kind::File)
         return fail(ErrorCode::InvalidInput, cannotRead(file), "it is not an ordinary file",
                     "name a picture");
-    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    const std::uintmax_t size = files::sizeOf(file, error);
     if (error || size > maximumFileBytes)
         return fail(ErrorCode::InvalidInput, cannotRead(file), "the file is larger than 1 GB",
                     "name a picture");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/picture_writer.h"
 
+#include "core/base/file_system.h"
 #include "core/video/jpeg_encoder.h"
 #include "core/video/libav.h"
 #include "core/video/picture.h"
@@ -73,8 +74,7 @@ Result<void> writePicture(const Frame &frame, const std::filesystem::path &file)
     out.close(); // where the last bytes are written
     if (out)
         return {};
-    std::error_code ignored;
-    std::filesystem::remove(file, ignored);
+    files::remove(file);
     return failed("it could not be written");
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/recording_writer.h"
 
+#include "core/base/file_system.h"
 #include "core/video/libav.h"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ Result<void> RecordingWriter::Impl::open(const FrameFormat &format)
     descriptor = ::open(file.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0644);
     if (descriptor < 0)
         return problem(std::strerror(errno));
-    const std::string name = "file:" + std::filesystem::absolute(file).string();
+    const std::string name = "file:" + files::absolute(file).string();
     int error = avformat_alloc_output_context2(&container, nullptr, "matroska", name.c_str());
     if (error >= 0)
         error = avio_open2(&container->pb, name.c_str(), AVIO_FLAG_WRITE, nullptr, nullptr);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/video_input.h"
 
+#include "core/base/file_system.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -28,19 +30,19 @@ int refuseOtherFiles(AVFormatContext *, AVIOContext **, const char *, int, AVDic
 Result<void> checkOrdinaryFile(const std::filesystem::path &file)
 {
     std::error_code error;
-    const auto status = std::filesystem::status(file, error);
-    if (status.type() == std::filesystem::file_type::not_found)
+    const files::Kind kind = files::kindOf(file, error);
+    if (kind == files::Kind::Missing && !error)
         return fail(ErrorCode::NotFound, couldNotOpen(file), "there is no such file",
                     "check the name and the folder");
     if (error)
         return fail(ErrorCode::Io, couldNotOpen(file), error.message(),
                     "check the permissions of its folder");
-    if (status.type() == std::filesystem::file_type::directory)
+    if (kind == files::Kind::Folder)
         return fail(ErrorCode::InvalidInput, couldNotOpen(file), "it is a folder", "name a video file in it");
-    if (status.type() != std::filesystem::file_type::regular)
+    if (kind != files::Kind::File)
         return fail(ErrorCode::InvalidInput, couldNotOpen(file), "it is not an ordinary file",
                     "name a video file");
-    if (std::filesystem::file_size(file, error) == 0)
+    if (files::sizeOf(file, error) == 0)
         return fail(ErrorCode::InvalidInput, couldNotOpen(file), "the file is empty",
                     "copy it from the camera again");
     return {};
@@ -82,7 +84,7 @@ Result<void> VideoInput::openContainer(const AVInputFormat *known)
     libav::Options ioOptions;
     ioOptions.set("protocol_whitelist", "file");
     // "file:" keeps a name like "http:x.mkv" from being read as an address.
-    const std::string address = "file:" + std::filesystem::absolute(m_file).string();
+    const std::string address = "file:" + files::absolute(m_file).string();
     int error = libav::checked(avio_open2(&m_io, address.c_str(), AVIO_FLAG_READ, nullptr, ioOptions.get()));
     if (error < 0)
         return fail(ErrorCode::Io, couldNotOpen(m_file), libav::errorText(error),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/video_writer.h"
 
+#include "core/base/file_system.h"
 #include "core/video/matroska_time_scale.h"
 #include "core/video/video_encoder.h"
 
@@ -54,9 +55,8 @@ struct VideoWriter::Impl
     ~Impl()
     {
         closeFile();
-        std::error_code ignored;
         if (partExists)
-            std::filesystem::remove(part, ignored);
+            files::remove(part);
     }
     tl::unexpected<Error> problem(int error) const
     {
@@ -83,7 +83,7 @@ Result<void> VideoWriter::Impl::openContainer()
     if (options.codec == VideoCodec::Ffv1 && !matroska)
         return fail(ErrorCode::InvalidInput, "cannot write the video " + file.string(),
                     "FFV1 does not go into MP4", "use the ending .mkv");
-    const std::string name = "file:" + std::filesystem::absolute(part).string();
+    const std::string name = "file:" + files::absolute(part).string();
     int error =
         avformat_alloc_output_context2(&container, nullptr, matroska ? "matroska" : "mp4", name.c_str());
     if (error < 0)
@@ -252,7 +252,7 @@ Result<void> VideoWriter::finish()
         return fail(ErrorCode::Io, what, std::strerror(errno),
                     "check that the folder may be written to and has room");
     d.partExists = false;
-    sync(std::filesystem::absolute(d.file).parent_path());
+    sync(files::absolute(d.file).parent_path());
     return {};
 }
 

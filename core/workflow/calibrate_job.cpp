@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/calibrate_job.h"
 
+#include "core/base/file_system.h"
 #include "core/calibration/intrinsic_calibration.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -23,8 +24,7 @@ Result<void> CalibrateJob::prepare(Project &project)
 {
     m_mediaFolder = project.mediaFolder();
     for (const auto &file : m_settings.files) {
-        std::error_code problem;
-        if (!std::filesystem::is_regular_file(file, problem))
+        if (!files::isFile(file))
             return fail(ErrorCode::NotFound, '\'' + file.string() + '\'', "there is no such file",
                         "check the name and the folder");
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/calibration_media.h"
 
+#include "core/base/file_system.h"
 #include "core/exchange/whole_file.h"
 #include "core/video/picture_writer.h"
 #include "core/workflow/media_copy.h"
@@ -22,13 +23,12 @@ CalibrationMedia::CalibrationMedia(const std::filesystem::path &mediaFolder)
 
 CalibrationMedia::~CalibrationMedia()
 {
-    std::error_code ignored;
     if (m_files.empty())
         return;
     for (const std::filesystem::path &file : m_files)
-        std::filesystem::remove(file, ignored);
+        files::remove(file);
     for (const std::filesystem::path &folder : {m_folder, m_mediaFolder})
-        std::filesystem::remove(folder, ignored); // only when empty
+        files::remove(folder); // only when empty
 }
 
 Result<StoredPicture> CalibrationMedia::write(const std::string &name, const std::vector<unsigned char> &png)
@@ -40,7 +40,7 @@ Result<StoredPicture> CalibrationMedia::write(const std::string &name, const std
                     "check the free space and the rights of the project's folder");
     };
     std::error_code problem;
-    std::filesystem::create_directories(m_folder, problem);
+    files::makeFolders(m_folder, problem);
     if (problem)
         return failed(problem.message());
     const std::filesystem::path file = freeMediaPath(m_folder, name, ".png");
@@ -53,7 +53,7 @@ Result<StoredPicture> CalibrationMedia::write(const std::string &name, const std
     m_bytes += png.size();
     QCryptographicHash hash(QCryptographicHash::Sha256);
     hash.addData(bytes);
-    return StoredPicture{std::filesystem::absolute(file).string(), hash.result().toHex().toStdString(), size};
+    return StoredPicture{files::absolute(file).string(), hash.result().toHex().toStdString(), size};
 }
 
 Result<StoredPicture> CalibrationMedia::writeFloor(const std::string &camera, const Frame &frame)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/copy_job.h"
 
+#include "core/base/file_system.h"
 #include "core/project/project.h"
 
 namespace odo {
@@ -21,8 +22,7 @@ Result<void> CopyJob::run(const JobControl &control)
         return saved;
     if (!control.isCancelled())
         return {};
-    std::error_code ignored;
-    std::filesystem::remove(m_copy, ignored);
+    files::remove(m_copy);
     return cancelled("copy '" + m_copy.filename().string() + "'");
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/demo.h"
 
+#include "core/base/file_system.h"
 #include "core/base/shortage.h"
 #include "core/exchange/layout_csv.h"
 #include "core/project/project.h"
@@ -26,6 +27,14 @@ namespace fs = std::filesystem;
 constexpr const char *className = "Year 9 robotics";
 constexpr int boardPictures = 14;
 constexpr double boardNoise = 1.5; // of 255
+constexpr const char *demoAdvice = "choose a folder you can write to, with 300 MB free";
+
+Result<void> makeFolder(const fs::path &folder)
+{
+    std::error_code problem;
+    files::makeFolders(folder, problem);
+    return problem ? fail(ErrorCode::Io, "folder '" + folder.string() + "'", problem.message(), demoAdvice) : Result<void>();
+}
 
 /// A folder for what is in the making, removed again unless its content was moved to its place.
 class Staging
@@ -34,8 +43,7 @@ public:
     explicit Staging(fs::path folder) : m_folder(std::move(folder)) {}
     ~Staging()
     {
-        std::error_code ignored;
-        fs::remove_all(m_folder, ignored);
+        files::removeAll(m_folder);
     }
     const fs::path &folder() const { return m_folder; }
 
@@ -80,7 +88,8 @@ private:
     Result<void> calibrateCameras()
     {
         const fs::path pictures = m_folder / "calibration";
-        fs::create_directories(pictures);
+        if (auto made = makeFolder(pictures); !made)
+            return made;
         for (const SimulatedCamera &camera : testbed().cameras) {
             m_control.report(0.02, "calibrating camera " + camera.name);
             CalibrateSettings settings;
@@ -125,7 +134,8 @@ private:
 
     Result<void> renderVideos()
     {
-        fs::create_directories(m_project.mediaFolder());
+        if (auto made = makeFolder(m_project.mediaFolder()); !made)
+            return made;
         for (std::size_t t = 0; t < m_trials.size(); ++t) {
             const double share = 0.75 / double(m_trials.size()), from = 0.05 + share * double(t);
             if (auto done = renderTrial(t, part(m_control, from, from + share)); !done)
@@ -257,28 +267,28 @@ Result<fs::path> makeDemo(const fs::path &folder, const JobControl &control)
     const std::string what = "demo in '" + folder.string() + "'";
     static constexpr std::array<const char *, 4> parts = {"demo.media", "calibration", "truth", "demo.odo"};
     for (const char *name : parts) {
-        if (fs::exists(folder / name))
+        if (files::exists(folder / name))
             return fail(ErrorCode::AlreadyExists, what, std::string(name) + " is there already",
                         "open it, or choose another folder");
     }
-    try {
-        const bool folderIsNew = fs::create_directories(folder);
-        {
-            const Staging staging(folder / ".demo-in-the-making");
-            fs::remove_all(staging.folder()); // of an earlier attempt that was killed
-            fs::create_directory(staging.folder());
-            if (auto built = buildIn(staging.folder(), control); !built) {
-                if (folderIsNew)
-                    fs::remove_all(folder);
-                return tl::unexpected(built.error());
-            }
-            for (const char *name : parts)
-                fs::rename(staging.folder() / name, folder / name);
+    std::error_code problem;
+    const bool folderIsNew = files::makeFolders(folder, problem);
+    const Staging staging(folder / ".demo-in-the-making");
+    files::removeAll(staging.folder()); // of an earlier attempt that was killed
+    if (!problem)
+        files::makeFolders(staging.folder(), problem);
+    if (!problem) {
+        if (auto built = buildIn(staging.folder(), control); !built) {
+            if (folderIsNew)
+                files::removeAll(folder);
+            return tl::unexpected(built.error());
         }
-        return folder / "demo.odo";
-    } catch (const fs::filesystem_error &problem) {
-        return fail(ErrorCode::Io, what, problem.code().message(), "choose a folder you can write to, with 300 MB free");
     }
+    for (auto name = parts.begin(); !problem && name != parts.end(); ++name)
+        files::rename(staging.folder() / *name, folder / *name, problem);
+    if (problem)
+        return fail(ErrorCode::Io, what, problem.message(), demoAdvice);
+    return folder / "demo.odo";
 }
 
 } // namespace odo

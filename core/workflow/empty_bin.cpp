@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/empty_bin.h"
 
+#include "core/base/file_system.h"
 #include "core/project/own_media.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -65,7 +66,7 @@ Result<void> EmptyBinJob::remove(Project &project, const TrialName &trial)
             continue;
         std::error_code problem;
         if (used)
-            std::filesystem::remove(file, problem);
+            files::remove(file, problem);
         if (!used || problem) // what nobody can tell is in use stays, and is told
             m_left.push_back(file.string());
     }

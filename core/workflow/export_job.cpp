@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/export_job.h"
 
+#include "core/base/file_system.h"
 #include "core/exchange/text_file.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -31,9 +32,8 @@ Result<void> ExportJob::run(const JobControl &control)
 {
     auto written = writeAll(control);
     if (!written) {
-        std::error_code ignored;
         for (const std::filesystem::path &file : m_files)
-            std::filesystem::remove(file, ignored);
+            files::remove(file);
         m_files.clear();
     }
     return written;
@@ -46,8 +46,7 @@ Result<void> ExportJob::writeAll(const JobControl &control)
             return cancelled("export of '" + m_trial + "'");
         const std::string name = m_analyses.size() > 1 ? m_trial + " " + analysis.robotName : m_trial;
         const std::filesystem::path file = m_folder / (fileNameOf(name) + ".csv");
-        std::error_code problem;
-        if (std::filesystem::exists(file, problem))
+        if (files::exists(file))
             return fail(ErrorCode::AlreadyExists, "file '" + file.string() + "'", "it is there already",
                         "choose an empty folder");
         if (auto written = writeTextFile(file, trackCsv(analysis, m_style)); !written)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/hash_job.h"
 
+#include "core/base/file_system.h"
 #include "core/project/project.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
@@ -15,7 +16,7 @@ Result<void> HashJob::prepare(Project &project)
     for (const RecordingRecord &recording : *recordings) {
         File file{recording.id, project.resolve(recording), recording.bytes, {}};
         std::error_code problem;
-        const std::uintmax_t bytes = std::filesystem::file_size(file.path, problem);
+        const std::uintmax_t bytes = files::sizeOf(file.path, problem);
         if (!problem && bytes == static_cast<std::uintmax_t>(file.bytes))
             m_files.push_back(std::move(file));
     }

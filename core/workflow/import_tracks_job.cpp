@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/import_tracks_job.h"
 
+#include "core/base/file_system.h"
 #include "core/exchange/file_name.h"
 #include "core/exchange/track_text.h"
 #include "core/project/instant_now.h"
@@ -70,8 +71,7 @@ Result<void> ImportTracksJob::checkTracks() const
     for (const auto &[robot, file] : m_settings.tracks) {
         if (!names.insert(robot).second)
             return fail(ErrorCode::InvalidInput, what, "robot '" + robot + "' was given two tracks", "give each robot one");
-        std::error_code problem;
-        if (!std::filesystem::is_regular_file(file, problem))
+        if (!files::isFile(file))
             return fail(ErrorCode::NotFound, "'" + file.string() + "'", "there is no such file", "check the name and the folder");
     }
     return {};
@@ -158,7 +158,7 @@ Result<void> ImportTracksJob::readFiles(const JobControl &control)
         source.file = checkName("track", name) ? name : fileNameOf(name); // files may be called as nothing else may
         source.sha256 = *hash;
         std::error_code problem; // the file was just read; 0 where it went since
-        const auto bytes = std::filesystem::file_size(path, problem);
+        const auto bytes = files::sizeOf(path, problem);
         source.bytes = problem ? 0 : static_cast<std::int64_t>(bytes);
         m_read.push_back({std::move(track->name), std::move(track->positions)});
     }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/import_trial_job.h"
 
+#include "core/base/file_system.h"
 #include "core/project/instant_now.h"
+#include "core/project/limits.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/video/frame_spacing.h"
@@ -39,6 +41,12 @@ Result<void> ImportTrialJob::prepare(Project &project)
     const std::string what = "import of trial '" + m_settings.trial + "'";
     if (m_settings.videos.empty())
         return fail(ErrorCode::InvalidInput, what, "no video was given", "give one view or more, like --video A=a.mp4");
+    if (m_settings.videos.size() > mostViews)
+        return fail(ErrorCode::InvalidInput, what, "it has " + std::to_string(m_settings.videos.size()) + " views",
+                    "use at most " + std::to_string(mostViews));
+    if (m_settings.rate && !(*m_settings.rate >= lowestFrameRate && *m_settings.rate <= highestFrameRate))
+        return fail(ErrorCode::InvalidInput, what, "its frame rate is not between 0.1 and 100,000 frames a second",
+                    "give the rate at which the camera took the frames");
     if (auto checked = checkSteps(); !checked)
         return checked;
     if (project.trials().find(m_settings.trial))
@@ -48,8 +56,7 @@ Result<void> ImportTrialJob::prepare(Project &project)
         if (!names.insert(camera).second)
             return fail(ErrorCode::InvalidInput, what, "camera '" + camera + "' was given two videos",
                         "give each view its own camera");
-        std::error_code problem;
-        if (!std::filesystem::is_regular_file(file, problem))
+        if (!files::isFile(file))
             return fail(ErrorCode::NotFound, "'" + file.string() + "'", "there is no such file",
                         "check the name and the folder");
     }
@@ -243,7 +250,7 @@ Result<void> ImportTrialJob::copyVideo(std::size_t view, const JobControl &contr
         return tl::unexpected(copy.error());
     if (copy->made)
         m_copies.push_back(copy->file);
-    m_recordings[view].path = std::filesystem::absolute(copy->file).string(); // stored relative to the project
+    m_recordings[view].path = files::absolute(copy->file).string(); // stored relative to the project
     m_recordings[view].sha256 = copy->sha256;
     m_recordings[view].bytes = copy->bytes;
     return {};
@@ -281,11 +288,10 @@ Result<void> ImportTrialJob::commit(Project &project)
 
 void ImportTrialJob::removeCopies()
 {
-    std::error_code ignored; // nothing more can be done for a file that cannot be removed
     for (const auto &copy : m_copies)
-        std::filesystem::remove(copy, ignored);
+        files::remove(copy);
     if (!m_copies.empty())
-        std::filesystem::remove(m_mediaFolder, ignored); // only when empty
+        files::remove(m_mediaFolder); // only when empty
 }
 
 } // namespace odo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/live_trial.h"
 
+#include "core/base/file_system.h"
 #include "core/project/instant_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -29,8 +30,7 @@ Result<std::shared_ptr<LiveTrial>> LiveTrial::begin(Project &project, TrialRecor
                                                     CaptureSession &session, Nanoseconds preRoll)
 {
     // Its disk may have been taken out of the file system: then the media folder would be made on another one.
-    std::error_code ignored;
-    if (!std::filesystem::exists(project.file(), ignored))
+    if (!files::exists(project.file()))
         return fail(ErrorCode::NotFound, "recording of trial '" + trial.name + "'", "the project's file is no longer there",
                     "put its disk or folder back where it was; nothing was recorded");
     auto lock = RecordingLock::take(project.mediaFolder());
@@ -66,7 +66,7 @@ Result<void> LiveTrial::addTo(Project &project, const std::vector<std::string> &
         view.file = freeMediaPath(project.mediaFolder(), m_trial.name + "_" + cameras[i], ".mkv", files);
         files.push_back(view.file);
         view.record.camera = camera->id;
-        view.record.path = std::filesystem::absolute(view.file).string(); // stored relative to the project
+        view.record.path = files::absolute(view.file).string(); // stored relative to the project
         view.record.widthPx = description.widthPx;
         view.record.heightPx = description.heightPx;
         view.record.framesPerSecond = description.framesPerSecond;
@@ -222,9 +222,8 @@ Result<void> LiveTrial::discard(Project &project)
     });
     if (!removed)
         return removed;
-    std::error_code ignored; // nothing more can be done for a file that cannot be removed
     for (const View &view : m_views)
-        std::filesystem::remove(view.file, ignored);
+        files::remove(view.file);
     m_lock.reset();
     return {};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/media_copy.h"
 
+#include "core/base/file_system.h"
 #include "core/exchange/file_name.h"
 #include "core/exchange/whole_file.h"
 #include "core/project/recording_rows.h"
@@ -61,7 +62,7 @@ std::filesystem::path freeMediaPath(const std::filesystem::path &folder, const s
 {
     const std::string stem = safeName(name).toStdString();
     std::filesystem::path path = folder / (stem + ending);
-    for (int number = 2; std::filesystem::exists(path) || std::ranges::find(taken, path) != taken.end(); ++number)
+    for (int number = 2; files::exists(path) || std::ranges::find(taken, path) != taken.end(); ++number)
         path = folder / (stem + "_" + std::to_string(number) + ending);
     return path;
 }
@@ -71,18 +72,18 @@ Result<MediaCopy> copyIntoMedia(const std::filesystem::path &source, const std::
 {
     const std::string what = "copy of '" + source.string() + "'";
     std::error_code problem;
-    std::filesystem::create_directories(mediaFolder, problem);
+    files::makeFolders(mediaFolder, problem);
     if (problem)
         return fail(ErrorCode::Io, what, problem.message(), roomAdvice);
     MediaCopy copy;
-    const std::filesystem::path original = std::filesystem::absolute(source);
-    copy.made = !std::filesystem::equivalent(original.parent_path(), mediaFolder, problem);
+    const std::filesystem::path original = files::absolute(source);
+    copy.made = !files::isSame(original.parent_path(), mediaFolder);
     copy.file = copy.made ? freeMediaPath(mediaFolder, name, source.extension().string()) : original;
     const auto hash = copy.made ? copyHashed(original, copy.file, what, control) : fileSha256(original, control);
     if (!hash)
         return tl::unexpected(hash.error());
     copy.sha256 = *hash;
-    copy.bytes = static_cast<std::int64_t>(std::filesystem::file_size(copy.file, problem));
+    copy.bytes = static_cast<std::int64_t>(files::sizeOf(copy.file, problem));
     return copy;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/new_project_like.h"
 
+#include "core/base/file_system.h"
 #include "core/base/without_value.h"
 #include "core/project/new_file.h"
 #include "core/project/project.h"
@@ -61,8 +62,7 @@ Result<void> takeSetUp(Project &from, Project &to, const JobControl &control)
 /// In place of the empty file that is there. Closed it is one file, with everything in it.
 Result<void> makeFilled(Project &from, const std::filesystem::path &file, const std::string &title, const JobControl &control)
 {
-    std::error_code ignored;
-    std::filesystem::remove(file, ignored);
+    files::remove(file);
     const auto original = from.title();
     if (!original)
         return tl::unexpected(original.error());

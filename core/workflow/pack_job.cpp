@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/pack_job.h"
 
-#include "core/base/folder_names.h"
+#include "core/base/file_system.h"
 #include "core/project/own_media.h"
 #include "core/project/project.h"
 #include "core/project/recording_rows.h"
@@ -25,13 +25,12 @@ bool belongs(const std::filesystem::path &file)
 void addFilesBelow(const std::filesystem::path &folder, const std::filesystem::path &media, std::vector<std::filesystem::path> &files,
                    std::error_code &problem)
 {
-    const std::vector<std::string> names = namesIn(folder, problem);
+    const std::vector<std::string> names = files::namesIn(folder, problem);
     for (auto name = names.begin(); !problem && name != names.end(); ++name) {
         const std::filesystem::path file = folder / *name;
-        std::error_code leadsNowhere; // of a link
-        if (std::filesystem::is_directory(std::filesystem::symlink_status(file, problem)))
+        if (files::kindOfItself(file) == files::Kind::Folder)
             addFilesBelow(file, media, files, problem);
-        else if (std::filesystem::is_regular_file(file, leadsNowhere) && belongs(file) && isOwnMedia(file, media))
+        else if (files::isFile(file) && belongs(file) && isOwnMedia(file, media))
             files.push_back(file);
     }
 }
@@ -53,7 +52,7 @@ Result<std::vector<std::filesystem::path>> filesIn(const std::filesystem::path &
 Result<bool> isItsVideo(const std::filesystem::path &file, const RecordingRecord &recording, const JobControl &control)
 {
     std::error_code problem;
-    const auto bytes = std::filesystem::file_size(file, problem);
+    const auto bytes = files::sizeOf(file, problem);
     if (problem || bytes != static_cast<std::uintmax_t>(recording.bytes))
         return false;
     if (recording.sha256.empty())
@@ -97,7 +96,7 @@ Result<void> PackJob::look(Project &project, const JobControl &control)
     for (const RecordingRecord &recording : *recordings) {
         const std::filesystem::path file = project.resolve(recording);
         const std::string &trial = names[recording.trial];
-        if (!std::filesystem::exists(file)) {
+        if (!files::exists(file)) {
             m_warnings.push_back("the video of camera " + recording.cameraName + " in trial '" + trial +
                                  "' is lost, and not in the packed project");
         } else if (!isOwnMedia(file, m_mediaFolder)) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/recorded_views.h"
 
+#include "core/base/file_system.h"
+
 #include <cmath>
 
 namespace odo {
@@ -39,7 +41,7 @@ Result<std::vector<RecordingRecord>> describeRecordings(const std::vector<EndedV
         else
             putInStep(record, view, *first);
         std::error_code problem;
-        record.bytes = static_cast<std::int64_t>(std::filesystem::file_size(view.file, problem));
+        record.bytes = static_cast<std::int64_t>(files::sizeOf(view.file, problem));
         if (problem)
             return fail(ErrorCode::Io, "file '" + view.file.string() + "'",
                         "it cannot be looked at (" + problem.message() + ")",

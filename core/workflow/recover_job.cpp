@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/recover_job.h"
 
+#include "core/base/file_system.h"
 #include "core/capture/recorded_clock.h"
 #include "core/project/own_media.h"
 #include "core/project/project.h"
@@ -40,7 +41,7 @@ bool hasNoPicture(const std::filesystem::path &file)
 {
     constexpr std::uintmax_t mostWithout = 65536;
     std::error_code problem;
-    if (std::filesystem::file_size(file, problem) > mostWithout || problem)
+    if (files::sizeOf(file, problem) > mostWithout || problem)
         return false;
     std::ifstream stream(file, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
@@ -96,8 +97,7 @@ Result<void> RecoverJob::recover(Unfinished &unfinished) const
 {
     std::vector<EndedView> ended;
     for (View &view : unfinished.views) {
-        std::error_code problem;
-        if (!view.times.pictures.empty() && !std::filesystem::exists(view.file, problem)) {
+        if (!view.times.pictures.empty() && !files::exists(view.file)) {
             unfinished.missing = view.file.string();
             return {};
         }
@@ -168,9 +168,8 @@ Result<void> RecoverJob::complete(Project &project, Unfinished &unfinished)
 
 void RecoverJob::removeEmpty(const Unfinished &unfinished)
 {
-    std::error_code ignored; // nothing more can be done for a file that cannot be removed
     for (const std::filesystem::path &file : unfinished.empty)
-        std::filesystem::remove(file, ignored);
+        files::remove(file);
 }
 
 Result<std::vector<std::string>> recoverTrials(Project &project, const JobControl &control)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/relink_job.h"
 
+#include "core/base/file_system.h"
 #include "core/project/project.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
@@ -19,18 +20,16 @@ Result<std::vector<std::filesystem::path>> filesOfSizes(const std::filesystem::p
 {
     std::vector<std::filesystem::path> files;
     std::error_code problem;
-    const auto options = std::filesystem::directory_options::skip_permission_denied;
-    for (auto at = std::filesystem::recursive_directory_iterator(folder, options, problem);
-         !problem && at != std::filesystem::end(at); at.increment(problem)) {
-        if (control.isCancelled())
-            return cancelled("look for lost videos");
-        std::error_code ignored;
-        if (!at->is_regular_file(ignored))
-            continue;
-        const auto bytes = static_cast<std::int64_t>(at->file_size(ignored));
-        if (!ignored && std::ranges::find(lost, bytes, &RecordingRecord::bytes) != lost.end())
-            files.push_back(at->path());
-    }
+    const auto visit = [&](const std::filesystem::path &file) {
+        std::error_code unknown;
+        const auto bytes = static_cast<std::int64_t>(files::sizeOf(file, unknown));
+        if (!unknown && std::ranges::find(lost, bytes, &RecordingRecord::bytes) != lost.end())
+            files.push_back(file);
+        return !control.isCancelled();
+    };
+    files::eachFileBelow(folder, visit, problem);
+    if (control.isCancelled())
+        return cancelled("look for lost videos");
     if (problem)
         return fail(ErrorCode::Io, "look in '" + folder.string() + "'", problem.message(),
                     "check that the folder is there and may be read");
@@ -61,7 +60,7 @@ Result<void> RelinkJob::findLost()
     if (!recordings)
         return tl::unexpected(recordings.error());
     for (RecordingRecord &recording : *recordings)
-        if (!unfinished.contains(recording.trial) && !std::filesystem::exists((*project)->resolve(recording)))
+        if (!unfinished.contains(recording.trial) && !files::exists((*project)->resolve(recording)))
             m_lost.push_back(std::move(recording));
     if (m_lost.empty())
         return fail(ErrorCode::NotFound, "lost videos", "no video of this project is lost",
@@ -114,7 +113,7 @@ Result<void> RelinkJob::commit(Project &project)
     return project.change(words, [&]() -> Result<void> {
         for (const Found &found : m_found) {
             if (auto linked =
-                    project.trials().setFile(found.recording, std::filesystem::absolute(found.file));
+                    project.trials().setFile(found.recording, files::absolute(found.file));
                 !linked)
                 return linked;
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/truth_files.h"
 
+#include "core/base/file_system.h"
 #include "core/exchange/file_name.h"
 #include "core/exchange/text_file.h"
 #include "core/project/project.h"
@@ -40,7 +41,10 @@ TruthSeries truthOf(const SimulatedScene &scene, std::size_t robot)
 Result<void> keepTruth(Project &project, const TrialRecord &trial, const SimulatedScene &scene,
                        const std::filesystem::path &folder)
 {
-    std::filesystem::create_directories(folder);
+    std::error_code problem;
+    files::makeFolders(folder, problem);
+    if (problem)
+        return fail(ErrorCode::Io, "folder '" + folder.string() + "'", problem.message(), "choose a folder that you may write to");
     for (std::size_t r = 0; r < scene.robots.size(); ++r) {
         const std::string &name = scene.robots[r].name;
         const auto robot = project.robots().find(name);

@@ -282,8 +282,12 @@ private Q_SLOTS:
         QTest::newRow("empty") << QByteArray("") << QStringLiteral("it is empty");
         QTest::newRow("blank") << QByteArray(" \xc2\xa0 ") << QStringLiteral("it is empty");
         QTest::newRow("line break") << QByteArray("a\nb") << QStringLiteral("control character");
-        QTest::newRow("line separator") << QByteArray("a\xe2\x80\xa8") << QStringLiteral("control character");
+        QTest::newRow("line separator") << QByteArray("a\xe2\x80\xa8" "b") << QStringLiteral("control character");
         QTest::newRow("nul") << QByteArray("a\0b", 3) << QStringLiteral("control character");
+        QTest::newRow("of no width") << QByteArray("\xe2\x80\x8b") << QStringLiteral("it holds an invisible character, U+200B");
+        QTest::newRow("soft hyphen") << QByteArray("Fal\xc2\xad" "con") << QStringLiteral("it holds an invisible character, U+00AD");
+        QTest::newRow("order turned around") << QByteArray("\xe2\x80\xae" "abc") << QStringLiteral("it holds an invisible character, U+202E");
+        QTest::newRow("only joiners") << QByteArray("\xe2\x80\x8d\xe2\x80\x8c") << QStringLiteral("it is empty");
         QTest::newRow("too long") << QByteArray(201, 'x') << QStringLiteral("it has 201 characters");
         QTest::newRow("no UTF-8") << QByteArray("a\xff") << QStringLiteral("not valid UTF-8");
     }
@@ -311,9 +315,8 @@ private Q_SLOTS:
         for (int i = 0; i < 200; ++i)
             emoji += "🤖";
         for (const std::string &name :
-             {emoji, std::string("<img src=file:///etc/passwd>"), std::string("'; DROP TABLE robot;--"),
-              std::string("\xe2\x80\xae" // NOLINT(misc-misleading-bidirectional): such a name is what is stored
-                          "abc")}) {
+             {emoji, std::string("<img src=file:///etc/passwd>"), std::string("'; DROP TABLE robot;--"), std::string("می‌خواهم"),
+              std::string("👩‍🚀")}) {
             QVERIFY((*m_project)->robots().add(robotNamed(name)).has_value());
             QCOMPARE((*m_project)->robots().find(name)->name, name);
         }

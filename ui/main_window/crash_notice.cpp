@@ -2,6 +2,7 @@
 #include "ui/main_window/crash_notice.h"
 
 #include "core/base/crash_report.h"
+#include "core/base/file_system.h"
 #include "ui/main_window/main_window.h"
 #include "ui/views/elided_label.h"
 #include "ui/views/path_field.h"
@@ -64,9 +65,8 @@ void tellCrashes(MainWindow &window, const std::filesystem::path &folder,
     for (const CrashReport &report : reports)
         told = keepToldReport(report);
     std::optional<std::filesystem::path> project = reports.back().project;
-    std::error_code problem;
-    const bool isOpenedAnyway = project && opening && std::filesystem::equivalent(*project, *opening, problem);
-    if (isOpenedAnyway || (project && !std::filesystem::exists(*project, problem)))
+    const bool isOpenedAnyway = project && opening && files::isSame(*project, *opening);
+    if (isOpenedAnyway || (project && !files::exists(*project)))
         project.reset();
     auto *notice = new CrashNotice(told, project, &window);
     notice->setAttribute(Qt::WA_DeleteOnClose);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/workspace.h"
 
+#include "core/base/file_system.h"
 #include "core/project/place_warning.h"
 #include "core/project/project.h"
 #include "core/project/rescue.h"
@@ -86,8 +87,7 @@ std::filesystem::path Workspace::openHere() const
 /// On any thread.
 Result<Workspace::Ready> Workspace::makeReady(const std::filesystem::path &file, const std::filesystem::path &openHere)
 {
-    std::error_code problem;
-    Ready ready{file, nullptr, !openHere.empty() && std::filesystem::equivalent(file, openHere, problem)};
+    Ready ready{file, nullptr, !openHere.empty() && files::isSame(file, openHere)};
     if (!ready.isOpenHere) {
         auto lock = WindowLock::take(file);
         if (lock)
@@ -284,8 +284,7 @@ Result<void> Workspace::begin(std::function<Result<std::filesystem::path>(const 
             return tl::unexpected(file.error());
         auto looked = makeReady(*file, openHere);
         if (!looked) {
-            std::error_code problem;
-            const bool isOpenHere = !openHere.empty() && std::filesystem::equivalent(*file, openHere, problem);
+            const bool isOpenHere = !openHere.empty() && files::isSame(*file, openHere);
             return tl::unexpected(isOpenHere ? looked.error() : offeringABackup(looked.error(), *file, *made));
         }
         made->ready = std::move(*looked);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/annotated_video.h"
 
+#include "core/base/file_system.h"
 #include "core/project/project.h"
 #include "core/video/frame_stream.h"
 #include "core/video/picture.h"
@@ -106,13 +107,12 @@ Result<void> AnnotatedVideoJob::prepare(Project &project)
     m_scene = std::move(*scene);
     if (m_scene->frameTimes().empty())
         return fail(ErrorCode::NotFound, what(), "the trial has no recording", "choose one that was recorded");
-    std::error_code problem;
     for (const SceneView &view : m_scene->views)
-        if (!std::filesystem::exists(view.file, problem))
+        if (!files::exists(view.file))
             return fail(ErrorCode::NotFound, what(),
                         "the recording of camera " + view.camera + " is not at '" + view.file.string() + "'",
                         "bring the file back to its place");
-    if (!m_settings.replaces && std::filesystem::exists(m_settings.file, problem))
+    if (!m_settings.replaces && files::exists(m_settings.file))
         return fail(ErrorCode::AlreadyExists, "file '" + m_settings.file.string() + "'", "it is there already",
                     "choose an empty folder");
     m_font = QGuiApplication::font();

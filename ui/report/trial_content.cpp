@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/trial_content.h"
 
+#include "core/base/file_system.h"
 #include "core/base/shortage.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -50,8 +51,7 @@ std::vector<Still> takeStills(const TrialScene &scene, const Readers &readers, N
 {
     std::vector<Still> stills(scene.views.size());
     forEachView(scene, [&](std::size_t view) {
-        std::error_code problem;
-        stills[view].isVideoThere = std::filesystem::exists(scene.views[view].file, problem);
+        stills[view].isVideoThere = files::exists(scene.views[view].file);
         const auto frame = scene.frameAt(view, time);
         if (!frame)
             return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/trial_facts.h"
 
+#include "core/base/file_system.h"
 #include "core/trajectory/gate_passages.h"
 #include "ui/models/analysis_words.h"
 #include "ui/models/core_words.h"
@@ -51,8 +52,7 @@ Fact viewFact(const SceneView &view)
         fact.value += u'\n' + uneven;
         fact.badge = {TrialFactsWords::tr("rate varies"), BadgeState::Neutral};
     }
-    std::error_code ignored;
-    if (!std::filesystem::exists(view.file, ignored))
+    if (!files::exists(view.file))
         fact.badge = {TrialFactsWords::tr("video missing"), BadgeState::Bad};
     else if (!view.floorView)
         fact.badge = {TrialFactsWords::tr("not registered"), BadgeState::Warning};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/aravis/aravis_stream.h"
 
+#include "core/base/file_system.h"
 #include "core/base/steady_now.h"
 
 #include <netinet/in.h>
@@ -28,8 +29,7 @@ constexpr Nanoseconds oldestArrival = 2s;
 int socketOfPort(std::uint16_t port)
 {
     std::error_code error;
-    for (const auto &entry : std::filesystem::directory_iterator("/proc/self/fd", error)) {
-        const std::string number = entry.path().filename();
+    for (const std::string &number : files::namesIn("/proc/self/fd", error)) {
         int handle = -1;
         std::from_chars(number.data(), number.data() + number.size(), handle);
         int type = 0;

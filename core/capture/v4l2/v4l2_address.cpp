@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/v4l2/v4l2_address.h"
 
+#include "core/base/file_system.h"
 #include "core/capture/camera_uri.h"
 
 #include <cerrno>
@@ -86,7 +87,7 @@ Result<std::shared_ptr<V4l2Device>> openV4l2Place(const V4l2Address &address)
     if (address.place.starts_with('/')) {
         std::error_code error;
         const std::filesystem::path node =
-            std::filesystem::canonical(address.place, error); // sysfs knows no links
+            files::realPath(address.place, error); // sysfs knows no links
         return V4l2Device::open(error ? std::filesystem::path(address.place) : node, address.uri);
     }
     for (auto &device : openV4l2Devices()) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/v4l2/v4l2_holders.h"
 
+#include "core/base/file_system.h"
+
 #include <algorithm>
 #include <fstream>
 #include <set>
@@ -11,36 +13,33 @@ namespace odo {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Links are read, never followed: what lies behind them may hang.
-bool holds(const fs::path &process, const fs::path &node)
+bool holds(const std::filesystem::path &process, const std::filesystem::path &node)
 {
     std::error_code problem; // of another user's, or one that has ended: then it is not told
-    for (fs::directory_iterator each(process / "fd", problem), end; !problem && each != end; each.increment(problem)) {
-        std::error_code ignored;
-        if (fs::read_symlink(each->path(), ignored) == node)
-            return true;
-    }
-    return false;
+    const std::filesystem::path handles = process / "fd";
+    return std::ranges::any_of(files::namesIn(handles, problem), [&](const std::string &name) {
+        std::error_code closed;
+        return files::linkTarget(handles / name, closed) == node;
+    });
 }
 
 } // namespace
 
-std::vector<std::string> programsThatHold(const fs::path &node)
+std::vector<std::string> programsThatHold(const std::filesystem::path &node)
 {
     std::error_code problem;
-    const fs::path real = fs::canonical(node, problem);
+    const std::filesystem::path real = files::realPath(node, problem);
     if (problem)
         return {};
     const std::string own = std::to_string(::getpid());
     std::set<std::string> names;
-    for (fs::directory_iterator each("/proc", problem), end; !problem && each != end; each.increment(problem)) {
-        const std::string number = each->path().filename().string();
-        if (number == own || !std::ranges::all_of(number, [](char c) { return c >= '0' && c <= '9'; }) || !holds(each->path(), real))
+    for (const std::string &number : files::namesIn("/proc", problem)) {
+        const std::filesystem::path process = std::filesystem::path("/proc") / number;
+        if (number == own || !std::ranges::all_of(number, [](char c) { return c >= '0' && c <= '9'; }) || !holds(process, real))
             continue;
         std::string name;
-        std::ifstream input(each->path() / "comm");
+        std::ifstream input(process / "comm");
         if (std::getline(input, name) && !name.empty())
             names.insert(name);
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/v4l2/v4l2_sysfs.h"
 
+#include "core/base/file_system.h"
+
 #include <algorithm>
 #include <charconv>
 #include <fstream>
@@ -27,8 +29,7 @@ std::vector<int> nodeNumbers()
 {
     std::vector<int> numbers;
     std::error_code ignored; // without cameras there is no such folder
-    for (const auto &entry : std::filesystem::directory_iterator(classFolder, ignored)) {
-        const std::string name = entry.path().filename().string();
+    for (const std::string &name : files::namesIn(classFolder, ignored)) {
         int number = 0;
         const char *digits = name.data() + std::string(nodePrefix).size(), *end = name.data() + name.size();
         if (name.starts_with(nodePrefix) && std::from_chars(digits, end, number).ptr == end)

@@ -156,6 +156,8 @@ std::span<const CorePattern> errorsRest()
         {QT_TRANSLATE_NOOP("CoreWords", "this computer gives no further thread")},
         {QT_TRANSLATE_NOOP("CoreWords", "too many files are open")},
         {QT_TRANSLATE_NOOP("CoreWords", "what was saved is safe")},
+        {QT_TRANSLATE_NOOP("CoreWords", "something unexpected happened (%1)")},
+        {QT_TRANSLATE_NOOP("CoreWords", "try again, and report it if it happens again")},
         {QT_TRANSLATE_NOOP("CoreWords", "cannot show frame %1 of %2")},
         {QT_TRANSLATE_NOOP("CoreWords", "it has frames 0 to %1")},
         {QT_TRANSLATE_NOOP("CoreWords", "choose one of these")},

@@ -17,6 +17,8 @@ std::span<const CorePattern> errorsVideo()
         {QT_TRANSLATE_NOOP("CoreWords", "name a video file in it")},
         {QT_TRANSLATE_NOOP("CoreWords", "name a file")},
         {QT_TRANSLATE_NOOP("CoreWords", "check the permissions of its folder")},
+        {QT_TRANSLATE_NOOP("CoreWords", "its frame rate is not between 0.1 and 100,000 frames a second")},
+        {QT_TRANSLATE_NOOP("CoreWords", "give the rate at which the camera took the frames")},
         {QT_TRANSLATE_NOOP("CoreWords", "copy it from the camera again")},
         {QT_TRANSLATE_NOOP("CoreWords", "it is not a video of a kind that is read, or its header is damaged or missing (%1)")},
         {QT_TRANSLATE_NOOP("CoreWords", "give an MP4, MOV, MKV or AVI file")},

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/guarded_application.h"
+
+#include "core/base/last_resort.h"
+#include "core/base/shortage.h"
+#include "ui/models/error_words.h"
+
+#include <QMessageBox>
+#include <QTimer>
+#include <algorithm>
+
+namespace odo {
+
+bool GuardedApplication::notify(QObject *receiver, QEvent *event)
+{
+    try {
+        return QApplication::notify(receiver, event);
+    } catch (...) {
+        const char *shortage = shortageBeingHandled();
+        try {
+            tell(errorLine(shortageNow(cannotDoThis)));
+        } catch (...) { // not even that can be told
+            endForShortage(shortage ? shortage : "something unexpected happened");
+        }
+    }
+    return false;
+}
+
+void GuardedApplication::tell(const QString &line)
+{
+    if (m_isTelling)
+        return;
+    m_isTelling = true;
+    QTimer::singleShot(0, this, [this, line] {
+        QMessageBox box(QMessageBox::Critical, applicationDisplayName(), line, QMessageBox::Ok, activeWindow());
+        box.setTextFormat(Qt::PlainText);
+        box.exec();
+        m_isTelling = false;
+    });
+}
+
+void dropSenselessScales()
+{
+    const auto isSensible = [](const QByteArray &text) {
+        bool isNumber = false;
+        const double factor = text.toDouble(&isNumber);
+        return isNumber && factor >= 0.25 && factor <= 8; // false for NaN
+    };
+    if (qEnvironmentVariableIsSet("QT_SCALE_FACTOR") && !isSensible(qgetenv("QT_SCALE_FACTOR")))
+        qunsetenv("QT_SCALE_FACTOR");
+    const QByteArray screens = qgetenv("QT_SCREEN_SCALE_FACTORS"); // "1.5;2" or "name=1.5;name=2"
+    const QList<QByteArray> factors = screens.split(';');
+    if (!screens.isEmpty() && !std::ranges::all_of(factors, [&](const QByteArray &each) { return isSensible(each.mid(each.indexOf('=') + 1)); }))
+        qunsetenv("QT_SCREEN_SCALE_FACTORS");
+    bool isNumber = false;
+    const int dpi = qgetenv("QT_FONT_DPI").toInt(&isNumber);
+    if (qEnvironmentVariableIsSet("QT_FONT_DPI") && (!isNumber || dpi < 24 || dpi > 800))
+        qunsetenv("QT_FONT_DPI");
+}
+
+} // namespace odo

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QApplication>
+
+namespace odo {
+
+/// The window's application: an exception in an event ends that event, not the program, and is told in a box.
+class GuardedApplication : public QApplication
+{
+public:
+    using QApplication::QApplication;
+    bool notify(QObject *receiver, QEvent *event) override;
+
+private:
+    void tell(const QString &line);
+
+    bool m_isTelling = false; ///< one at a time: what fails at each painting would open boxes without end
+};
+
+/// Before an application is made: settings of the environment by which Qt ends the program or shows nothing, because they are no
+/// numbers or beyond all sense, are dropped.
+void dropSenselessScales();
+
+} // namespace odo

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/file_system.h"
+
+#include <cerrno>
+#include <dirent.h>
+#include <memory>
+
+namespace odo::files {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CloseFolder
+{
+    void operator()(DIR *folder) const { ::closedir(folder); }
+};
+
+Kind kindOfStatus(const fs::file_status &status)
+{
+    switch (status.type()) {
+    case fs::file_type::none:
+    case fs::file_type::not_found:
+        return Kind::Missing;
+    case fs::file_type::regular:
+        return Kind::File;
+    case fs::file_type::directory:
+        return Kind::Folder;
+    case fs::file_type::symlink:
+        return Kind::Link;
+    default:
+        return Kind::Other;
+    }
+}
+
+/// Some forms of std::filesystem throw in spite of an error_code.
+template <class Call> auto answer(std::error_code &problem, const Call &call) -> decltype(call(problem))
+{
+    problem.clear();
+    try {
+        return call(problem);
+    } catch (const fs::filesystem_error &error) {
+        problem = error.code();
+    }
+    return {};
+}
+
+} // namespace
+
+Kind kindOf(const fs::path &path, std::error_code &problem)
+{
+    const fs::file_status status = answer(problem, [&](std::error_code &code) { return fs::status(path, code); });
+    if (status.type() == fs::file_type::not_found)
+        problem.clear();
+    return kindOfStatus(status);
+}
+
+Kind kindOfItself(const fs::path &path)
+{
+    std::error_code unknown;
+    return kindOfStatus(answer(unknown, [&](std::error_code &code) { return fs::symlink_status(path, code); }));
+}
+
+bool exists(const fs::path &path)
+{
+    std::error_code unknown;
+    return kindOf(path, unknown) != Kind::Missing;
+}
+
+bool isFile(const fs::path &path)
+{
+    std::error_code unknown;
+    return kindOf(path, unknown) == Kind::File;
+}
+
+bool isFolder(const fs::path &path)
+{
+    std::error_code unknown;
+    return kindOf(path, unknown) == Kind::Folder;
+}
+
+bool isSame(const fs::path &a, const fs::path &b)
+{
+    std::error_code unknown;
+    return answer(unknown, [&](std::error_code &code) { return fs::equivalent(a, b, code); });
+}
+
+std::uintmax_t sizeOf(const fs::path &file, std::error_code &problem)
+{
+    const std::uintmax_t bytes = answer(problem, [&](std::error_code &code) { return fs::file_size(file, code); });
+    return problem ? 0 : bytes;
+}
+
+DiskSpace diskSpace(const fs::path &folder, std::error_code &problem)
+{
+    const fs::space_info space = answer(problem, [&](std::error_code &code) { return fs::space(folder, code); });
+    return problem ? DiskSpace() : DiskSpace{space.available, space.capacity};
+}
+
+fs::file_time_type lastWritten(const fs::path &file, std::error_code &problem)
+{
+    return answer(problem, [&](std::error_code &code) { return fs::last_write_time(file, code); });
+}
+
+fs::path absolute(const fs::path &path)
+{
+    std::error_code unknown;
+    fs::path whole = answer(unknown, [&](std::error_code &code) { return fs::absolute(path, code); });
+    return unknown ? path : whole;
+}
+
+fs::path realPath(const fs::path &path)
+{
+    std::error_code unknown;
+    return realPath(path, unknown);
+}
+
+fs::path realPath(const fs::path &path, std::error_code &problem)
+{
+    fs::path real = answer(problem, [&](std::error_code &code) { return fs::weakly_canonical(path, code); });
+    return problem || real.empty() ? files::absolute(path) : real;
+}
+
+fs::path linkTarget(const fs::path &link, std::error_code &problem)
+{
+    return answer(problem, [&](std::error_code &code) { return fs::read_symlink(link, code); });
+}
+
+std::vector<std::string> namesIn(const fs::path &folder, std::error_code &problem)
+{
+    std::vector<std::string> names;
+    errno = 0; // readdir tells its end from a failure by that alone
+    const std::unique_ptr<DIR, CloseFolder> open(::opendir(folder.c_str()));
+    while (const dirent *entry = open ? ::readdir(open.get()) : nullptr) {
+        const std::string name = entry->d_name;
+        if (name != "." && name != "..")
+            names.push_back(name);
+        errno = 0;
+    }
+    problem.assign(errno, std::generic_category());
+    return names;
+}
+
+void eachFileBelow(const fs::path &folder, const std::function<bool(const fs::path &)> &visit, std::error_code &problem)
+{
+    std::vector<fs::path> folders{folder};
+    std::error_code *heard = &problem, left;
+    while (!folders.empty()) {
+        const fs::path here = std::move(folders.back());
+        folders.pop_back();
+        for (const std::string &name : namesIn(here, *heard)) {
+            fs::path path = here / name;
+            if (kindOfItself(path) == Kind::Folder)
+                folders.push_back(std::move(path));
+            else if (isFile(path) && !visit(path))
+                return;
+        }
+        heard = &left;
+    }
+}
+
+bool makeFolders(const fs::path &folder, std::error_code &problem)
+{
+    return answer(problem, [&](std::error_code &code) { return fs::create_directories(folder, code); });
+}
+
+void remove(const fs::path &path, std::error_code &problem)
+{
+    answer(problem, [&](std::error_code &code) { return fs::remove(path, code); });
+}
+
+void remove(const fs::path &path)
+{
+    std::error_code stays;
+    files::remove(path, stays);
+}
+
+void removeAll(const fs::path &path)
+{
+    if (kindOfItself(path) == Kind::Folder) {
+        std::error_code unread;
+        for (const std::string &name : namesIn(path, unread))
+            removeAll(path / name);
+    }
+    files::remove(path);
+}
+
+void rename(const fs::path &from, const fs::path &to, std::error_code &problem)
+{
+    answer(problem, [&](std::error_code &code) { return fs::rename(from, to, code), true; });
+}
+
+} // namespace odo::files

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+namespace odo {
+
+/// What a project may hold: refused where it is entered, and where a file holds more, the rest is not read. docs/limits.md tells them
+/// with those that stand elsewhere (isOnFloor, checkTask, maxBlobRows).
+
+/// In characters of Unicode.
+constexpr int maxNameLength = 200, maxTextLength = 20'000;
+/// No quantity of ours is larger.
+constexpr double largestNumber = 1e12;
+constexpr std::size_t mostViews = 16, mostRobots = 32, mostTags = 50; ///< of a trial
+constexpr std::size_t mostMarkers = 1000;                             ///< of a layout
+constexpr int largestRobotM = 10;
+/// Frames a second that a camera may be said to have taken.
+constexpr double lowestFrameRate = 0.1, highestFrameRate = 100'000;
+
+} // namespace odo

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a window does with what comes from outside: another program's changes, a file that is taken away; and when it says saved.
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "tests/support/program.h"
+#include "tests/ui/support/driven_window.h"
+#include "tests/ui/support/stored_example.h"
+#include "ui/main_window/main_window.h"
+#include "ui/main_window/message_bar.h"
+#include "ui/main_window/status_line.h"
+#include "ui/main_window/workspace.h"
+
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+using namespace odo::test;
+namespace fs = std::filesystem;
+
+class TestProjectLost : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { beginWithoutSettings(); }
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_project = storeExample(folder()).value();
+        m_window = std::make_unique<MainWindow>();
+        m_window->show();
+        QVERIFY(m_window->openProject(m_project));
+    }
+    void cleanup() { m_window.reset(); }
+
+    void savedMeansThatACopyOfTheFileHasIt()
+    {
+        QTRY_COMPARE(saved(), QStringLiteral("All changes saved"));
+        QVERIFY(project().teams().add({0, "Kestrel", "9B"}));
+        QTRY_COMPARE(saved(), QStringLiteral("Saving…"));
+        QTRY_COMPARE_WITH_TIMEOUT(saved(), QStringLiteral("All changes saved"), 10'000);
+        fs::copy_file(m_project, folder() / "copy.odo");
+        const auto copy = Project::open(folder() / "copy.odo", Project::Access::ReadOnly);
+        QVERIFY((*copy)->teams().find("Kestrel"));
+    }
+
+    void whatAnotherProgramChangesIsFollowed()
+    {
+        QSignalSpy changed(&m_window->workspace(), &Workspace::changed);
+        QCOMPARE(runProgram({QStringLiteral("camera"), QStringLiteral("add"), QString::fromStdString(m_project.string()), QStringLiteral("C")}).exitStatus, 0);
+        QTRY_COMPARE_WITH_TIMEOUT(changed.count(), 1, 2000);
+        QVERIFY(project().cameras().find("C"));
+    }
+
+    void ofItsOwnChangesItIsNotTold()
+    {
+        QSignalSpy changed(&m_window->workspace(), &Workspace::changed);
+        QVERIFY(project().teams().add({0, "Kestrel", "9B"}));
+        QTRY_COMPARE_WITH_TIMEOUT(saved(), QStringLiteral("All changes saved"), 10'000); // it has looked
+        QCOMPARE(changed.count(), 0);
+    }
+
+    void aFileThatIsTakenAwayIsRescued_data()
+    {
+        QTest::addColumn<bool>("isReplaced");
+        QTest::newRow("deleted") << false;
+        QTest::newRow("replaced") << true;
+    }
+    void aFileThatIsTakenAwayIsRescued()
+    {
+        QFETCH(bool, isReplaced);
+        QVERIFY(project().teams().add({0, "Kestrel", "9B"}));
+        if (isReplaced) {
+            QVERIFY(Project::create(folder() / "other.odo", "another"));
+            fs::rename(folder() / "other.odo", m_project);
+        } else {
+            fs::remove(m_project);
+        }
+        const fs::path rescued = folder() / "example (rescued).odo";
+        QTRY_COMPARE_WITH_TIMEOUT(project().file(), rescued, 3000);
+        const QString words = m_window->findChild<MessageBar *>()->text();
+        QCOMPARE(words, QStringLiteral("“example.odo” was deleted, renamed or replaced by another program. What was in it is rescued in “example (rescued).odo”, which is open now."));
+        QVERIFY(!m_window->workspace().isReadOnly());
+        QVERIFY(project().teams().find("Kestrel"));
+        QVERIFY(project().teams().add({0, "Merlin", "9B"}));
+        const auto recordings = project().trials().recordings(project().trials().find("Trial 1")->id);
+        QVERIFY(recordings && !recordings->empty() && fs::exists(project().resolve(recordings->front())));
+        if (isReplaced) {
+            const auto other = Project::open(m_project, Project::Access::ReadOnly);
+            QVERIFY(other);
+            QCOMPARE((*other)->title().value(), std::string("another"));
+        }
+    }
+
+private:
+    fs::path folder() const { return m_folder->path().toStdString(); }
+    Project &project() { return *m_window->workspace().project(); }
+    QString saved() const { return m_window->findChild<StatusLine *>()->findChild<QLabel *>()->text(); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    fs::path m_project;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+QTEST_MAIN(TestProjectLost)
+#include "tst_project_lost.moc"
