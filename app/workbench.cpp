@@ -9,6 +9,7 @@
 #include "ui/main_window/language.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/paint_window.h"
+#include "ui/main_window/stop_requests.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/trial_scene.h"
 
@@ -26,6 +27,7 @@ void runWorkbench(const std::optional<std::filesystem::path> &project)
     MainWindow window;
     QObject::connect(&window.workspace(), &Workspace::opened, &window,
                      [&window] { noteOpenProject(window.workspace().project()->file()); });
+    const StopRequests stopRequests(window);
     window.show();
     tellCrashes(window, stateFolder(), project);
     if (project)

@@ -30,8 +30,10 @@ ImportTrialJob::ImportTrialJob(ImportSettings settings) : m_settings(std::move(s
 
 ImportTrialJob::~ImportTrialJob()
 {
-    if (!m_committed)
-        removeCopies();
+    m_files.clear(); // those that no trial has go
+    std::error_code ignored;
+    if (!m_folderWasThere)
+        std::filesystem::remove(m_mediaFolder, ignored); // only when empty
 }
 
 Result<void> ImportTrialJob::prepare(Project &project)
@@ -65,6 +67,8 @@ Result<void> ImportTrialJob::prepare(Project &project)
             m_robots = std::move(*robots);
     }
     m_mediaFolder = project.mediaFolder();
+    std::error_code ignored;
+    m_folderWasThere = std::filesystem::exists(m_mediaFolder, ignored);
 
     const auto cameras = project.cameras().all();
     if (!cameras)
@@ -238,14 +242,13 @@ Result<void> ImportTrialJob::compareViews()
 Result<void> ImportTrialJob::copyVideo(std::size_t view, const JobControl &control)
 {
     const auto &[camera, file] = m_settings.videos[view];
-    const auto copy = copyIntoMedia(file, m_mediaFolder, m_settings.trial + "_" + camera, control);
+    auto copy = copyIntoMedia(file, m_mediaFolder, m_settings.trial + "_" + camera, control);
     if (!copy)
         return tl::unexpected(copy.error());
-    if (copy->made)
-        m_copies.push_back(copy->file);
-    m_recordings[view].path = std::filesystem::absolute(copy->file).string(); // stored relative to the project
+    m_recordings[view].path = std::filesystem::absolute(copy->file.path()).string(); // stored relative to the project
     m_recordings[view].sha256 = copy->sha256;
     m_recordings[view].bytes = copy->bytes;
+    m_files.push_back(std::move(copy->file));
     return {};
 }
 
@@ -275,17 +278,12 @@ Result<void> ImportTrialJob::commit(Project &project)
         m_trial = std::move(*trial);
         return {};
     });
-    m_committed = committed.has_value();
-    return committed;
-}
-
-void ImportTrialJob::removeCopies()
-{
-    std::error_code ignored; // nothing more can be done for a file that cannot be removed
-    for (const auto &copy : m_copies)
-        std::filesystem::remove(copy, ignored);
-    if (!m_copies.empty())
-        std::filesystem::remove(m_mediaFolder, ignored); // only when empty
+    if (!committed)
+        return committed;
+    for (ClaimedFile &file : m_files)
+        file.keep();
+    m_files.clear();
+    return {};
 }
 
 } // namespace odo

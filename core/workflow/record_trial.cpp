@@ -171,6 +171,16 @@ Result<LiveSending> beginSending(SentRobots sent, CaptureSession &session)
     return sending;
 }
 
+/// What is stored in a file that was removed goes with it.
+Result<void> projectIsThere(const Project &project, const RecordSettings &settings)
+{
+    std::error_code problem;
+    if (std::filesystem::exists(project.file(), problem))
+        return {};
+    return fail(ErrorCode::NotFound, whatOf(settings), "the project's file is no longer there",
+                "its videos are kept in '" + project.mediaFolder().string() + "'; put the project back, and run odograph check P.odo --adopt");
+}
+
 /// Until its time is over, or nothing more can be recorded.
 Result<void> keepRecording(Project &project, LiveTrial &live, const CaptureSession &session,
                            const RecordSettings &settings, const JobControl &control)
@@ -227,14 +237,11 @@ Result<std::shared_ptr<LiveTrial>> recordTrial(Project &project, const RecordSet
     if (!live)
         return live;
     const auto kept = keepRecording(project, **live, session, settings, control);
-    if (control.isCancelled()) {
-        if (auto discarded = (*live)->discard(project); !discarded)
-            return tl::unexpected(discarded.error());
-        return cancelled(whatOf(settings));
-    }
-    // Where the project could not be written to, the end tries once more, with all that is missing.
-    if (auto ended = runToEnd(**live, project, control); !ended)
+    // Whoever stops it keeps what is recorded. Where the project could not be written to, the end tries once more, with all that is missing.
+    if (auto ended = runToEnd(**live, project, {{}, control.progress}); !ended)
         return tl::unexpected(kept ? ended.error() : kept.error());
+    if (auto there = projectIsThere(project, settings); !there)
+        return tl::unexpected(there.error());
     HashJob hashes; // what is left of them is made the next time
     if (auto done = runToEnd(hashes, project, control); !done && done.error().code != ErrorCode::Cancelled)
         return tl::unexpected(done.error());
