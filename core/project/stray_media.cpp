@@ -115,7 +115,7 @@ Result<std::vector<std::filesystem::path>> strayMedia(Project &project)
     std::error_code problem;
     addAllBelow(media, files, problem);
     if (problem && problem != std::errc::no_such_file_or_directory)
-        return fail(ErrorCode::Io, "folder '" + media.string() + "'", problem.message(), "check that it is there and may be read");
+        return fail(ErrorCode::Io, "look in '" + media.string() + "'", problem.message(), "check that the folder is there and may be read");
     // Who adds a trial holds its files until it is in the project: looked at in this order, none of them is taken for a stray one.
     std::erase_if(files, [&](const std::filesystem::path &file) {
         return file == RecordingLock::fileIn(media) || HeldFile::isHeld(file);

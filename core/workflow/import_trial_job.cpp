@@ -93,7 +93,7 @@ Result<void> ImportTrialJob::prepare(Project &project)
 Result<void> ImportTrialJob::run(const JobControl &control)
 {
     for (std::size_t view = 0; view < m_settings.videos.size(); ++view) {
-        if (auto read = readVideo(view); !read)
+        if (auto read = readVideo(view, control.cancel); !read)
             return read;
     }
     if (auto synchronised = synchronise(control); !synchronised)
@@ -107,10 +107,10 @@ Result<void> ImportTrialJob::run(const JobControl &control)
     return {};
 }
 
-Result<void> ImportTrialJob::readVideo(std::size_t view)
+Result<void> ImportTrialJob::readVideo(std::size_t view, const CancelToken &cancel)
 {
     const auto &[camera, file] = m_settings.videos[view];
-    const auto reader = VideoReader::open(file);
+    const auto reader = VideoReader::open(file, cancel);
     if (!reader)
         return tl::unexpected(reader.error());
     const VideoInfo &info = (*reader)->info();

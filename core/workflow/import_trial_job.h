@@ -51,7 +51,7 @@ public:
     const std::vector<std::string> &warnings() const { return m_warnings; }
 
 private:
-    Result<void> readVideo(std::size_t view);
+    Result<void> readVideo(std::size_t view, const CancelToken &cancel);
     Result<void> copyVideo(std::size_t view, const JobControl &control);
     Result<void> checkSteps();
     Result<void> synchronise(const JobControl &control);

@@ -115,7 +115,7 @@ Result<ClaimedFile> claimMediaFile(const std::filesystem::path &folder, const st
 {
     auto file = inFolder(folder, [&] { return ClaimedFile::create(folder, safeName(name), ending); });
     if (!file)
-        return fail(ErrorCode::Io, "cannot make a file in '" + folder.string() + "'", file.error().message(), roomAdvice);
+        return fail(ErrorCode::Io, "cannot write '" + (folder / (safeName(name) + ending)).string() + "'", file.error().message(), roomAdvice);
     return std::move(*file);
 }
 

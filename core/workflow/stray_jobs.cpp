@@ -63,7 +63,7 @@ Result<void> FindStraysJob::run(const JobControl &control)
     m_strays = std::move(*strays);
     for (const std::filesystem::path &file : m_strays) {
         if (control.isCancelled())
-            return cancelled("looking for stray files");
+            return cancelled("look for stray files");
         std::error_code problem; // a link leads to what is somebody else's
         const bool isFile = std::filesystem::is_regular_file(std::filesystem::symlink_status(file, problem));
         if (isFile && file.extension() != inTheMaking && VideoInput::open(file))
@@ -139,7 +139,7 @@ Result<void> RemoveStraysJob::run(const JobControl &control)
         return tl::unexpected(project.error());
     for (const std::filesystem::path &file : m_strays) {
         if (control.isCancelled())
-            return cancelled("removing stray files");
+            return cancelled("remove stray files");
         const auto removed = removeStray(**project, file);
         if (!removed)
             return tl::unexpected(removed.error());

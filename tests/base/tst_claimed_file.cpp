@@ -45,15 +45,15 @@ private Q_SLOTS:
             QVERIFY(!kept->write(std::string("abc")));
             kept->keep();
         }
-        QCOMPARE(names(), QStringList{"kept.mkv"});
+        QCOMPARE(names(), QStringList({QStringLiteral("kept.mkv")}));
         QCOMPARE(std::filesystem::file_size(path("kept.mkv")), std::uintmax_t(3));
         auto again = ClaimedFile::hold(path("kept.mkv"));
         again->remove(); // it did not make it
-        QCOMPARE(names(), QStringList{"kept.mkv"});
+        QCOMPARE(names(), QStringList({QStringLiteral("kept.mkv")}));
         auto recorded = ClaimedFile::create(path(), "recorded", ".mkv");
         recorded->keep();
         recorded->remove();
-        QCOMPARE(names(), QStringList{"kept.mkv"});
+        QCOMPARE(names(), QStringList({QStringLiteral("kept.mkv")}));
     }
 
     /// As when two imports of one name removed each other's videos.
@@ -64,7 +64,7 @@ private Q_SLOTS:
             std::filesystem::rename(path("run.mkv"), path("moved.mkv"));
             write("run.mkv", "somebody else's");
         }
-        QCOMPARE(names(), (QStringList{"moved.mkv", "run.mkv"}));
+        QCOMPARE(names(), (QStringList({QStringLiteral("moved.mkv"), QStringLiteral("run.mkv")})));
     }
 
     void whatWasBegunGetsItsNameWhenItIsWhole()
@@ -80,7 +80,7 @@ private Q_SLOTS:
             QCOMPARE(file->path(), path("run_2.mkv"));
             file->keep();
         }
-        QCOMPARE(names(), (QStringList{"run.mkv", "run_2.mkv"}));
+        QCOMPARE(names(), (QStringList({QStringLiteral("run.mkv"), QStringLiteral("run_2.mkv")})));
         QCOMPARE(content("run.mkv"), QByteArray("there before"));
         QCOMPARE(content("run_2.mkv"), QByteArray("whole"));
         {
@@ -164,7 +164,7 @@ private Q_SLOTS:
             QVERIFY(!made->publish(path("lesson")));
             const auto gone = ClaimedFolder::make(path(), "lesson.part");
         }
-        QCOMPARE(folders(), QStringList{"lesson"});
+        QCOMPARE(folders(), QStringList({QStringLiteral("lesson")}));
     }
 
 private:

@@ -61,7 +61,7 @@ private Q_SLOTS:
             QCOMPARE(QDir(QString::fromStdString(media.string())).entryList(QDir::Files).size(), 2);
             kept->file.keep();
         }
-        QCOMPARE(QDir(QString::fromStdString(media.string())).entryList(QDir::Files), QStringList{"A.mkv"});
+        QCOMPARE(QDir(QString::fromStdString(media.string())).entryList(QDir::Files), QStringList{QStringLiteral("A.mkv")});
     }
 
     void whatSomebodyWritesIsRefused()
