@@ -7,6 +7,7 @@
 #include "core/base/memory_pools.h"
 #include "core/base/plain_text.h"
 #include "core/base/shortage.h"
+#include "core/base/stop_signals.h"
 #include "core/project/sound_backup.h"
 
 #include <QApplication>
@@ -60,12 +61,7 @@ constexpr NamedCommand commands[] = {
 /// As a desktop calls it, where nobody sees a terminal.
 constexpr const char *windowOption = "--window";
 
-constexpr int exitDone = 0, exitFailed = 1, exitWrongCall = 2, exitCancelled = 130;
-
-/// Set by Ctrl-C; the one global, because a signal handler can reach nothing else. Its flag is lock-free.
-const CancelToken cancelToken;
-
-void onInterrupt(int) { cancelToken.cancel(); }
+constexpr int exitDone = 0, exitFailed = 1, exitWrongCall = 2;
 
 void printHelp()
 {
@@ -85,7 +81,7 @@ int report(const Result<void> &result)
     case ErrorCode::WrongCall:
         return exitWrongCall;
     case ErrorCode::Cancelled:
-        return exitCancelled;
+        return exitStatusOfStop();
     default:
         return exitFailed;
     }
@@ -117,8 +113,7 @@ Result<void> printed()
 int runCommand(const NamedCommand &command, int argc, char **argv)
 {
     qInstallMessageHandler(dropRemarks);
-    std::signal(SIGINT, onInterrupt);
-    std::signal(SIGTERM, onInterrupt);
+    watchStopSignals();
     std::unique_ptr<QCoreApplication> application;
     const auto says = [&](const char *word) {
         return std::any_of(argv, argv + argc, [word](const char *a) { return std::strcmp(a, word) == 0; });
@@ -137,7 +132,7 @@ int runCommand(const NamedCommand &command, int argc, char **argv)
     QCoreApplication::setApplicationName(QStringLiteral("odograph"));
     keepNumbersPlain();
     const Result<void> done = orShortage(command.name, [&] {
-        return command.run(QCoreApplication::arguments().mid(2), cancelToken);
+        return command.run(QCoreApplication::arguments().mid(2), stopToken());
     });
     return report(done ? printed() : done);
 }
@@ -148,6 +143,7 @@ int openWorkbench(int argc, char **argv)
     QCoreApplication::setOrganizationName(QStringLiteral("odograph")); // its settings lie in a folder of that name
     QCoreApplication::setApplicationName(QStringLiteral("odograph"));
     keepNumbersPlain();
+    watchStopSignals();
     QStringList arguments = QCoreApplication::arguments().mid(1);
     const bool hasTerminal = arguments.removeAll(QLatin1String(windowOption)) == 0;
     const auto project = arguments.isEmpty() ? std::nullopt : std::optional<std::filesystem::path>(arguments.first().toStdString());

@@ -6,6 +6,7 @@
 
 namespace odo::option {
 
+inline const QString adopt = QStringLiteral("adopt");
 inline const QString again = QStringLiteral("again");
 inline const QString align = QStringLiteral("align");
 inline const QString board = QStringLiteral("board");
@@ -16,6 +17,7 @@ inline const QString colour = QStringLiteral("colour");
 inline const QString csvStyle = QStringLiteral("csv-style");
 inline const QString device = QStringLiteral("device");
 inline const QString figure = QStringLiteral("figure");
+inline const QString find = QStringLiteral("find");
 inline const QString format = QStringLiteral("format");
 inline const QString frame = QStringLiteral("frame");
 inline const QString height = QStringLiteral("height");
@@ -43,6 +45,7 @@ inline const QString preRoll = QStringLiteral("pre-roll");
 inline const QString rate = QStringLiteral("rate");
 inline const QString recover = QStringLiteral("recover");
 inline const QString remark = QStringLiteral("remark");
+inline const QString removeStrays = QStringLiteral("remove-strays");
 inline const QString reverse = QStringLiteral("reverse");
 inline const QString robot = QStringLiteral("robot");
 inline const QString school = QStringLiteral("school");

@@ -9,6 +9,7 @@
 #include "ui/main_window/language.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/paint_window.h"
+#include "ui/main_window/stop_requests.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/trial_scene.h"
 
@@ -26,6 +27,7 @@ void runWorkbench(const std::optional<std::filesystem::path> &project)
     MainWindow window;
     QObject::connect(&window.workspace(), &Workspace::opened, &window,
                      [&window] { noteOpenProject(window.workspace().project()->file()); });
+    const StopRequests stopRequests(window);
     window.show();
     tellCrashes(window, stateFolder(), project);
     if (project)
@@ -34,15 +36,18 @@ void runWorkbench(const std::optional<std::filesystem::path> &project)
 }
 
 Result<void> paintWorkbench(const std::filesystem::path &project, const std::string &trial, WindowMode mode,
-                            QSize size, const std::filesystem::path &picture)
+                            QSize size, const std::filesystem::path &picture, const CancelToken &cancel)
 {
     applyAppearance(*qApp);
+    const std::string what = "picture '" + picture.string() + "'";
     MainWindow window;
     if (auto opened = window.openProject(project); !opened)
         return opened;
     // The window would tell what is wrong with it, and be painted nevertheless.
     if (const auto readable = loadTrialScene(*window.workspace().project(), trial); !readable)
         return tl::unexpected(readable.error());
+    if (cancel.isCancelled())
+        return cancelled(what);
     if (auto shown = window.showTrial(trial); !shown)
         return shown;
     if (mode == WindowMode::Compare) {
@@ -51,11 +56,14 @@ Result<void> paintWorkbench(const std::filesystem::path &project, const std::str
     } else {
         window.showMode(mode);
     }
+    const QImage painted = cancel.isCancelled() ? QImage() : paintWindow(window, size, cancel);
+    if (cancel.isCancelled())
+        return cancelled(what);
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
-    if (!paintWindow(window, size).save(&buffer, QFileInfo(QString::fromStdString(picture.string())).suffix().toLatin1().constData()))
-        return fail(ErrorCode::InvalidInput, "picture '" + picture.string() + "'", "its format is not known",
+    if (!painted.save(&buffer, QFileInfo(QString::fromStdString(picture.string())).suffix().toLatin1().constData()))
+        return fail(ErrorCode::InvalidInput, what, "its format is not known",
                     "give it a name that ends in .png or .jpg");
     return writeTextFile(picture, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }

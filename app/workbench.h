@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/base/job_control.h"
 #include "ui/main_window/modes.h"
 
 #include <QSize>
@@ -15,8 +16,9 @@ namespace odo {
 /// project is told there.
 void runWorkbench(const std::optional<std::filesystem::path> &project);
 
-/// The window as a user would see it with a trial in one of its modes, painted without a display into a picture file.
+/// The window as a user would see it with a trial in one of its modes, painted without a display into a picture file. Error Cancelled, beside those of
+/// opening the project and writing the picture.
 Result<void> paintWorkbench(const std::filesystem::path &project, const std::string &trial, WindowMode mode,
-                            QSize size, const std::filesystem::path &picture);
+                            QSize size, const std::filesystem::path &picture, const CancelToken &cancel);
 
 } // namespace odo

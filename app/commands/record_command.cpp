@@ -170,7 +170,10 @@ Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
                 words);
     for (const std::string &warning : recorded.warnings())
         CommandCall::warn(warning);
-    return {};
+    if (!call.control().isCancelled())
+        return {};
+    return fail(ErrorCode::Cancelled, "recording of trial '" + recorded.trial().name + "'", "it was stopped before its time was over",
+                "what was recorded until then is kept");
 }
 
 } // namespace odo

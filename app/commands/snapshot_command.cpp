@@ -38,7 +38,7 @@ Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel
     if (auto applied = applyLanguage(call); !applied)
         return applied;
     auto painted = paintWorkbench(call.text(0), call.text(1), *shown,
-                                        QSize(int(wanted->first), int(wanted->second)), call.value(option::output));
+                                        QSize(int(wanted->first), int(wanted->second)), call.value(option::output), cancel);
     if (!painted)
         return painted;
     const QString file = QString::fromStdString(call.value(option::output));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/project_archive.h"
 
+#include "core/base/claimed_folder.h"
 #include "core/base/file_system.h"
 #include "core/project/new_file.h"
 
@@ -13,9 +14,8 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
-#include <new>
 #include <memory>
-#include <sys/stat.h>
+#include <optional>
 #include <unistd.h>
 
 namespace odo {
@@ -136,20 +136,10 @@ class Reader
 {
 public:
     Reader(std::filesystem::path file, std::filesystem::path folder)
-        : m_file(std::move(file)), m_folder(std::move(folder)), m_part(m_folder.string() + ".part-XXXXXX"),
-          m_archive(archive_read_new())
+        : m_file(std::move(file)), m_folder(std::move(folder)), m_archive(archive_read_new())
     {
     }
-    ~Reader()
-    {
-        archive_read_free(m_archive);
-        if (!m_made)
-            return;
-        try {
-            files::removeAll(m_part); // not there any more once it was published
-        } catch (const std::bad_alloc &) { // it stays, under a name that says what it is
-        }
-    }
+    ~Reader() { archive_read_free(m_archive); }
     Reader(const Reader &) = delete;
     Reader &operator=(const Reader &) = delete;
 
@@ -165,14 +155,12 @@ public:
         m_archiveBytes = files::sizeOf(m_file, problem);
         if (problem)
             m_archiveBytes = 0;
-        files::makeFolders(files::absolute(m_part).parent_path(), problem);
-        // A name that nobody has, so that what a killed attempt left behind is in nobody's way.
-        std::string name = m_part.string();
-        m_made = ::mkdtemp(name.data()) != nullptr;
-        if (!m_made)
-            return failure(std::strerror(errno));
-        m_part = name;
-        ::chmod(m_part.c_str(), 0755); // as any folder
+        const std::filesystem::path parent = files::absolute(m_folder).parent_path();
+        files::makeFolders(parent, problem);
+        auto part = ClaimedFolder::make(parent, m_folder.filename().string() + ".part");
+        if (!part)
+            return failure(part.error().message());
+        m_part.emplace(std::move(*part));
         return {};
     }
 
@@ -195,9 +183,7 @@ public:
 
     Result<std::filesystem::path> publish()
     {
-        std::error_code problem;
-        files::rename(m_part, m_folder, problem);
-        if (problem)
+        if (const std::error_code problem = m_part->publish(m_folder))
             return failure(problem.message());
         return m_folder / m_project;
     }
@@ -212,7 +198,7 @@ private:
             return refuse('\'' + name.string() + "' does not belong into a packed project");
         if (m_project.empty())
             m_project = name;
-        const std::filesystem::path target = m_part / name;
+        const std::filesystem::path target = m_part->path() / name;
         std::error_code problem;
         files::makeFolders(target.parent_path(), problem);
         const int descriptor =
@@ -276,9 +262,8 @@ private:
     }
 
     const std::filesystem::path m_file, m_folder;
-    std::filesystem::path m_part;
+    std::optional<ClaimedFolder> m_part; ///< what is read, until it is whole
     archive *const m_archive;
-    bool m_made = false;
     std::filesystem::path m_project;
     std::uintmax_t m_archiveBytes = 0, m_unpackedBytes = 0;
 };

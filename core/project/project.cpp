@@ -201,8 +201,7 @@ const std::filesystem::path &Project::file() const
 
 std::filesystem::path Project::mediaFolder() const
 {
-    std::filesystem::path folder = file();
-    return folder.replace_extension(".media");
+    return mediaFolderOf(file());
 }
 
 std::filesystem::path Project::resolve(const RecordingRecord &recording) const

@@ -66,7 +66,7 @@ public:
     Project &operator=(const Project &) = delete;
 
     const std::filesystem::path &file() const;
-    /// "<name>.media" beside the file; made when first needed by those who write there.
+    /// "<name>.media" beside the file, links to it followed; absolute; made when first needed by those who write there.
     std::filesystem::path mediaFolder() const;
     /// Absolute path of a recording.
     std::filesystem::path resolve(const RecordingRecord &recording) const;

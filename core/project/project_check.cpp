@@ -6,6 +6,7 @@
 #include "core/project/recording_lock.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
+#include "core/project/stray_media.h"
 #include "core/project/task_rows.h"
 
 #include <set>
@@ -147,7 +148,9 @@ void checkTrial(Project &project, const TrialRecord &trial, const std::vector<Ro
     }
     for (const RecordingRecord &recording : *recordings) {
         checkFile({project.resolve(recording), "the recording of view '" + recording.cameraName + "'", recording.sha256,
-                   recording.bytes, "put the file back in its place; the measured track is kept without it"},
+                   recording.bytes,
+                   "put the file back in its place, or find it by its content with odograph check P.odo --find FOLDER or Find lost videos… in "
+                   "the window; the measured track is kept without it"},
                   withHashes, problems);
         for (const RobotRecord &robot : robots)
             checkObservations(project, recording, where, robot, problems);
@@ -189,6 +192,7 @@ Result<std::vector<ProjectProblem>> checkProject(Project &project, ProjectConnec
     }
     for (const TrialRecord &trial : *trials)
         checkTrial(project, trial, *robots, withHashes, problems);
+    addStrayMedia(project, problems);
     return problems;
 }
 

@@ -7,14 +7,10 @@
 
 namespace odo {
 
-namespace {
-
-std::filesystem::path lockFile(const std::filesystem::path &mediaFolder)
+std::filesystem::path RecordingLock::fileIn(const std::filesystem::path &mediaFolder)
 {
     return mediaFolder / "recording.lock";
 }
-
-} // namespace
 
 Result<std::unique_ptr<RecordingLock>> RecordingLock::take(const std::filesystem::path &mediaFolder)
 {
@@ -24,7 +20,7 @@ Result<std::unique_ptr<RecordingLock>> RecordingLock::take(const std::filesystem
     if (problem)
         return fail(ErrorCode::Io, what, problem.message(),
                     "check the free space and the rights of the project's folder");
-    auto file = HeldFile::take(lockFile(mediaFolder), HeldFile::Afterwards::Stays);
+    auto file = HeldFile::take(fileIn(mediaFolder), HeldFile::Afterwards::Stays);
     if (!file)
         return fail(file.error().code, what, file.error().why, file.error().advice);
     if (!*file)
@@ -35,7 +31,7 @@ Result<std::unique_ptr<RecordingLock>> RecordingLock::take(const std::filesystem
 
 bool RecordingLock::isHeld(const std::filesystem::path &mediaFolder)
 {
-    return HeldFile::isHeld(lockFile(mediaFolder));
+    return HeldFile::isHeld(fileIn(mediaFolder));
 }
 
 } // namespace odo

@@ -13,6 +13,8 @@ public:
     /// Makes the media folder. AlreadyExists while somebody else holds it; Io where the folder cannot be
     /// written to.
     static Result<std::unique_ptr<RecordingLock>> take(const std::filesystem::path &mediaFolder);
+    /// What is held; it means nothing by itself.
+    static std::filesystem::path fileIn(const std::filesystem::path &mediaFolder);
     /// Whether somebody, this program too, holds it now.
     static bool isHeld(const std::filesystem::path &mediaFolder);
 

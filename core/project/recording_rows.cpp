@@ -15,6 +15,7 @@ namespace odo {
 namespace {
 
 constexpr int largestSidePx = 32'000; // of a picture that is read at all
+constexpr const char *mediaEnding = ".media";
 
 const QString recordingColumns =
     QStringLiteral("SELECT recording.id, trial_id, camera_id, camera.name, position, path, sha256, bytes, width_px, "
@@ -23,7 +24,12 @@ const QString recordingColumns =
 /// The folder of the project, absolute and without "." and "..".
 std::filesystem::path folderOf(const std::filesystem::path &projectFile)
 {
-    return files::absolute(projectFile).lexically_normal().parent_path();
+    return realProjectFile(projectFile).parent_path();
+}
+
+bool isMediaFolder(const std::filesystem::path &name)
+{
+    return name.extension() == mediaEnding;
 }
 
 bool climbsOut(const std::filesystem::path &relative)
@@ -173,8 +179,25 @@ Result<std::optional<RecordingRecord>> newestRecordingOf(const ProjectConnection
 std::string storedPath(const std::filesystem::path &projectFile, const std::filesystem::path &file)
 {
     const std::filesystem::path normal = file.lexically_normal();
-    const std::filesystem::path relative = normal.lexically_relative(folderOf(projectFile));
-    return climbsOut(relative) ? normal.string() : relative.generic_string();
+    const std::filesystem::path folder = folderOf(projectFile), relative = normal.lexically_relative(folder);
+    if (!climbsOut(relative))
+        return relative.generic_string();
+    std::error_code problem; // the project may have been opened by another way than the file was named by
+    const std::filesystem::path real = files::realPath(normal.parent_path(), problem) / normal.filename(),
+                                realRelative = real.lexically_relative(files::realPath(folder, problem));
+    return problem || climbsOut(realRelative) ? normal.string() : realRelative.generic_string();
+}
+
+std::filesystem::path realProjectFile(const std::filesystem::path &projectFile)
+{
+    if (files::kindOfItself(projectFile) == files::Kind::Link)
+        return files::realPath(projectFile);
+    return files::absolute(projectFile).lexically_normal();
+}
+
+std::filesystem::path mediaFolderOf(const std::filesystem::path &projectFile)
+{
+    return realProjectFile(projectFile).replace_extension(mediaEnding);
 }
 
 std::filesystem::path absolutePath(const std::filesystem::path &projectFile, const std::string &path)
@@ -182,7 +205,15 @@ std::filesystem::path absolutePath(const std::filesystem::path &projectFile, con
     std::filesystem::path normal = std::filesystem::path(path).lexically_normal();
     if (normal.is_absolute())
         return normal;
-    return folderOf(projectFile) / (climbsOut(normal) ? normal.filename() : normal);
+    if (climbsOut(normal))
+        return folderOf(projectFile) / normal.filename();
+    const std::filesystem::path stored = folderOf(projectFile) / normal;
+    const std::filesystem::path media = mediaFolderOf(projectFile), first = *normal.begin();
+    if (!isMediaFolder(first) || first == media.filename())
+        return stored;
+    // The project may have been called otherwise when the file came into its media folder.
+    const std::filesystem::path today = media / normal.lexically_relative(first);
+    return !files::exists(stored) && files::exists(today) ? today : stored;
 }
 
 Result<std::string> fileSha256(const std::filesystem::path &file, const JobControl &control)

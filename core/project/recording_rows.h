@@ -24,8 +24,15 @@ Result<std::optional<RecordingRecord>> newestRecordingOf(const ProjectConnection
 /// that folder and project can move together; absolute otherwise.
 std::string storedPath(const std::filesystem::path &projectFile, const std::filesystem::path &file);
 
+/// The project's file, links followed, absolute and without "." and "..": what belongs to a project lies beside the file itself, by whatever
+/// name it was opened.
+std::filesystem::path realProjectFile(const std::filesystem::path &projectFile);
+/// "<name>.media" beside that.
+std::filesystem::path mediaFolderOf(const std::filesystem::path &projectFile);
+
 /// Where the file of a recording is. A relative path that would climb out of the project's folder is cut to
-/// its file name: a project from elsewhere cannot point at other files that way.
+/// its file name: a project from elsewhere cannot point at other files that way. What was stored in the media folder
+/// of a project that was renamed since, together with that folder, is in today's. Looks at the disk.
 std::filesystem::path absolutePath(const std::filesystem::path &projectFile, const std::string &path);
 
 /// SHA-256 of a file in lower-case hexadecimal. Any thread. Errors: NotFound, Io, Cancelled.

@@ -280,8 +280,18 @@ Result<void> TrialRepository::setTask(RecordId trial, const std::string &task)
 
 Result<bool> TrialRepository::isFileUsed(const std::string &path) const
 {
-    Statement select(m_connection, QStringLiteral("SELECT 1 FROM recording WHERE path=?"));
-    return select.bind(path).firstRow();
+    // A project that was renamed with its media folder names one file in two ways.
+    const std::filesystem::path file = absolutePath(m_connection.file(), path);
+    const std::string name = file.filename().string();
+    bool isUsed = false;
+    Statement select(m_connection, QStringLiteral("SELECT path FROM recording WHERE substr(path, -length(?))=?"));
+    auto read = select.bind(name).bind(name).eachRow([&](const Statement &row) -> Result<void> {
+        isUsed = isUsed || absolutePath(m_connection.file(), row.text(0)) == file;
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return isUsed;
 }
 
 Result<std::vector<RecordingRecord>> TrialRepository::recordings(RecordId trial) const

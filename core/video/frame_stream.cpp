@@ -94,9 +94,9 @@ FrameStream::FrameStream(std::unique_ptr<VideoReader> reader, std::size_t ahead)
 
 FrameStream::~FrameStream() = default;
 
-Result<std::unique_ptr<FrameStream>> FrameStream::open(const std::filesystem::path &file, std::size_t ahead)
+Result<std::unique_ptr<FrameStream>> FrameStream::open(const std::filesystem::path &file, std::size_t ahead, const CancelToken &cancel)
 {
-    auto reader = VideoReader::open(file);
+    auto reader = VideoReader::open(file, cancel);
     if (!reader)
         return tl::unexpected(reader.error());
     return std::make_unique<FrameStream>(std::move(*reader), std::max<std::size_t>(ahead, 1));

@@ -176,6 +176,8 @@ Result<PacketIndex> indexPackets(VideoInput &input)
 {
     PacketIndex index;
     const Walk walk = walkPackets(input, index);
+    if (walk.endError == AVERROR_EXIT)
+        return cancelled("cannot open the video " + input.file().string());
     if (index.frames.empty())
         return fail(ErrorCode::InvalidInput, "cannot open the video " + input.file().string(),
                     "not one whole frame is in it", "copy it from the camera again");

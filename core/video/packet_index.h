@@ -41,7 +41,7 @@ struct PacketIndex
     std::int64_t packetOf(std::int64_t pts) const;
 };
 
-/// Reads the input from where it stands (its start) to its end, without decoding.
+/// Reads the input from where it stands (its start) to its end, without decoding. Error Cancelled, beside those of a file without a frame.
 Result<PacketIndex> indexPackets(VideoInput &input);
 
 /// The time stamp by which packets are told apart: pts, else dts.

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstring>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace odo {
@@ -27,6 +28,8 @@ AVPixelFormat pixelFormatOf(const FrameFormat &format)
     return format.chromaShiftY == 0 ? AV_PIX_FMT_YUVJ422P : AV_PIX_FMT_YUVJ420P;
 }
 
+constexpr int bufferBytes = 1 << 16;
+
 } // namespace
 
 struct RecordingWriter::Impl
@@ -34,7 +37,7 @@ struct RecordingWriter::Impl
     std::filesystem::path file;
     AVFormatContext *container = nullptr;
     AVStream *stream = nullptr;
-    int descriptor = -1; ///< of the same file, for fdatasync
+    int descriptor = -1;
     std::int64_t lastMs = -1, frameMs = 33;
     Nanoseconds synced{0};
 
@@ -44,21 +47,39 @@ struct RecordingWriter::Impl
         return fail(ErrorCode::Io, "cannot write the recording " + file.string(), why,
                     "check that its folder may be written to and has room");
     }
+    Result<void> openFile();
     Result<void> open(const FrameFormat &format);
     bool close();
+    /// As libav calls it. It opens no file by its name, which could be another one's by then.
+    static int writeToFile(void *impl, std::uint8_t *bytes, int count);
+    static std::int64_t seekInFile(void *impl, std::int64_t offset, int whence);
 };
+
+/// Never through a link, nor over what is there: the name may be claimed, with nothing in the file yet.
+Result<void> RecordingWriter::Impl::openFile()
+{
+    descriptor = ::open(file.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
+    struct stat there
+    {
+    };
+    if (descriptor < 0 || ::fstat(descriptor, &there) != 0)
+        return problem(std::strerror(errno));
+    return there.st_size > 0 || !S_ISREG(there.st_mode) ? problem(std::strerror(EEXIST)) : Result<void>();
+}
 
 Result<void> RecordingWriter::Impl::open(const FrameFormat &format)
 {
-    descriptor = ::open(file.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0644);
-    if (descriptor < 0)
-        return problem(std::strerror(errno));
-    const std::string name = "file:" + files::absolute(file).string();
-    int error = avformat_alloc_output_context2(&container, nullptr, "matroska", name.c_str());
-    if (error >= 0)
-        error = avio_open2(&container->pb, name.c_str(), AVIO_FLAG_WRITE, nullptr, nullptr);
+    if (auto opened = openFile(); !opened)
+        return opened;
+    const int error = avformat_alloc_output_context2(&container, nullptr, "matroska", nullptr);
     if (error < 0)
         return problem(libav::errorText(error));
+    auto *buffer = static_cast<unsigned char *>(libav::allocated(av_malloc(bufferBytes)));
+    container->pb = avio_alloc_context(buffer, bufferBytes, 1, this, nullptr, writeToFile, seekInFile);
+    if (!container->pb) {
+        av_free(buffer);
+        return problem(libav::errorText(AVERROR(ENOMEM)));
+    }
     container->flags |= AVFMT_FLAG_FLUSH_PACKETS | AVFMT_FLAG_BITEXACT;
     stream = libav::allocated(avformat_new_stream(container, nullptr));
     AVCodecParameters &parameters = *stream->codecpar;
@@ -75,14 +96,38 @@ Result<void> RecordingWriter::Impl::open(const FrameFormat &format)
     stream->time_base = milliseconds;
     libav::Options muxing;
     muxing.set("cluster_time_limit", clusterMs);
-    if (error = avformat_write_header(container, muxing.get()); error < 0)
-        return problem(libav::errorText(error));
-    return {};
+    const int begun = avformat_write_header(container, muxing.get());
+    return begun < 0 ? problem(libav::errorText(begun)) : Result<void>();
+}
+
+int RecordingWriter::Impl::writeToFile(void *impl, std::uint8_t *bytes, int count)
+{
+    for (int done = 0; done < count;) {
+        const ssize_t written = ::write(static_cast<Impl *>(impl)->descriptor, bytes + done, static_cast<std::size_t>(count - done));
+        if (written < 0 && errno != EINTR)
+            return AVERROR(errno);
+        done += static_cast<int>(std::max<ssize_t>(0, written));
+    }
+    return count;
+}
+
+std::int64_t RecordingWriter::Impl::seekInFile(void *impl, std::int64_t offset, int whence)
+{
+    if ((whence & AVSEEK_SIZE) != 0)
+        return AVERROR(ENOSYS);
+    const off_t at = ::lseek(static_cast<Impl *>(impl)->descriptor, offset, whence & ~AVSEEK_FORCE);
+    return at < 0 ? AVERROR(errno) : at;
 }
 
 bool RecordingWriter::Impl::close()
 {
-    bool closed = !container || !container->pb || avio_closep(&container->pb) >= 0;
+    bool closed = true;
+    if (container && container->pb) {
+        avio_flush(container->pb);
+        closed = container->pb->error >= 0;
+        av_freep(static_cast<void *>(&container->pb->buffer));
+        avio_context_free(&container->pb);
+    }
     avformat_free_context(container);
     container = nullptr;
     if (descriptor >= 0) {

@@ -17,7 +17,7 @@ namespace odo {
 class RecordingWriter
 {
 public:
-    /// The file must not be there yet. Errors: a folder that cannot be written to.
+    /// The file must not be there yet, or be empty: one whose name was claimed. Errors: a folder that cannot be written to.
     static Result<std::unique_ptr<RecordingWriter>> create(const std::filesystem::path &file, const FrameFormat &format,
                                                            double nominalFramesPerSecond);
     ~RecordingWriter(); ///< without finish(): the file stays as a kill would leave it

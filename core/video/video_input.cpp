@@ -50,22 +50,23 @@ Result<void> checkOrdinaryFile(const std::filesystem::path &file)
 
 } // namespace
 
-Result<std::unique_ptr<VideoInput>> VideoInput::open(const std::filesystem::path &file)
+Result<std::unique_ptr<VideoInput>> VideoInput::open(const std::filesystem::path &file, const CancelToken &cancel)
 {
-    return open(file, nullptr);
+    return open(file, nullptr, cancel);
 }
 
 Result<std::unique_ptr<VideoInput>> VideoInput::openedAgain() const
 {
-    return open(m_file, m_container->iformat);
+    return open(m_file, m_container->iformat, m_cancel);
 }
 
-Result<std::unique_ptr<VideoInput>> VideoInput::open(const std::filesystem::path &file, const AVInputFormat *known)
+Result<std::unique_ptr<VideoInput>> VideoInput::open(const std::filesystem::path &file, const AVInputFormat *known,
+                                                      const CancelToken &cancel)
 {
     libav::quieten();
     if (auto ordinary = checkOrdinaryFile(file); !ordinary)
         return tl::unexpected(ordinary.error());
-    std::unique_ptr<VideoInput> input(new VideoInput(file));
+    std::unique_ptr<VideoInput> input(new VideoInput(file, cancel));
     if (auto opened = input->openContainer(known); !opened)
         return tl::unexpected(opened.error());
     if (auto found = input->findStream(); !found)
@@ -137,6 +138,8 @@ int VideoInput::read(AVPacket &packet)
 {
     for (;;) {
         av_packet_unref(&packet);
+        if (m_cancel.isCancelled())
+            return AVERROR_EXIT;
         const int error = av_read_frame(m_container, &packet);
         if (error < 0)
             return error;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/base/job_control.h"
 #include "core/video/libav.h"
 
 #include <filesystem>
@@ -14,8 +15,8 @@ namespace odo {
 class VideoInput
 {
 public:
-    /// Errors: missing, a folder or device, unreadable, not a video, no video stream.
-    static Result<std::unique_ptr<VideoInput>> open(const std::filesystem::path &file);
+    /// cancel: once it is cancelled, read() ends with AVERROR_EXIT. Errors: missing, a folder or device, unreadable, not a video, no video stream.
+    static Result<std::unique_ptr<VideoInput>> open(const std::filesystem::path &file, const CancelToken &cancel = {});
     /// The same file from its beginning, taken for the container that it was found to be.
     Result<std::unique_ptr<VideoInput>> openedAgain() const;
     ~VideoInput();
@@ -23,6 +24,7 @@ public:
     VideoInput &operator=(const VideoInput &) = delete;
 
     const std::filesystem::path &file() const { return m_file; }
+    bool isCancelled() const { return m_cancel.isCancelled(); }
     const AVFormatContext &container() const { return *m_container; }
     const AVStream &stream() const { return *m_stream; }
     /// Chroma location that the container itself states; the parameters of the stream hold what the decoder
@@ -38,12 +40,13 @@ public:
     bool seek(std::int64_t timeStamp);
 
 private:
-    explicit VideoInput(std::filesystem::path file) : m_file(std::move(file)) {}
-    static Result<std::unique_ptr<VideoInput>> open(const std::filesystem::path &file, const AVInputFormat *known);
+    VideoInput(std::filesystem::path file, CancelToken cancel) : m_file(std::move(file)), m_cancel(std::move(cancel)) {}
+    static Result<std::unique_ptr<VideoInput>> open(const std::filesystem::path &file, const AVInputFormat *known, const CancelToken &cancel);
     Result<void> openContainer(const AVInputFormat *known);
     Result<void> findStream();
 
     std::filesystem::path m_file;
+    CancelToken m_cancel;
     AVIOContext *m_io = nullptr;
     AVFormatContext *m_container = nullptr;
     AVStream *m_stream = nullptr;

@@ -265,6 +265,8 @@ Result<std::optional<Frame>> VideoReader::Impl::decoded(std::size_t wanted)
         decodeTo(wanted);
     }
     beganMidway = false;
+    if (!isAhead(wanted) && input->isCancelled())
+        return cancelled("cannot decode " + name(wanted));
     if (!isAhead(wanted))
         return fail(ErrorCode::InvalidInput, "cannot decode " + name(wanted), "its data are damaged",
                     "it is left out");
@@ -280,16 +282,16 @@ bool VideoReader::Impl::isOnTheWay(std::size_t frame) const
 VideoReader::VideoReader(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
 VideoReader::~VideoReader() = default;
 
-Result<std::unique_ptr<VideoReader>> VideoReader::open(const std::filesystem::path &file)
+Result<std::unique_ptr<VideoReader>> VideoReader::open(const std::filesystem::path &file, const CancelToken &cancel)
 {
-    return orShortage("cannot open the video " + file.string(), [&file] { return openChecked(file); });
+    return orShortage("cannot open the video " + file.string(), [&] { return openChecked(file, cancel); });
 }
 
-Result<std::unique_ptr<VideoReader>> VideoReader::openChecked(const std::filesystem::path &file)
+Result<std::unique_ptr<VideoReader>> VideoReader::openChecked(const std::filesystem::path &file, const CancelToken &cancel)
 {
     auto impl = std::make_unique<Impl>();
     impl->file = file;
-    auto input = VideoInput::open(file);
+    auto input = VideoInput::open(file, cancel);
     if (!input)
         return tl::unexpected(input.error());
     auto format = streamFormat(**input);

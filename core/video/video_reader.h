@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/base/job_control.h"
 #include "core/video/frame.h"
 
 #include <filesystem>
@@ -32,8 +33,9 @@ class VideoReader
 {
 public:
     /// Opens the file and indexes its packets (no decoding). Errors: missing file, not a video, unsupported
-    /// pixel format, no video stream.
-    static Result<std::unique_ptr<VideoReader>> open(const std::filesystem::path &file);
+    /// pixel format, no video stream. cancel: ends this, and every later search for a frame, with Cancelled; a large file on a slow disk
+    /// takes its time.
+    static Result<std::unique_ptr<VideoReader>> open(const std::filesystem::path &file, const CancelToken &cancel = {});
     ~VideoReader();
     VideoReader(const VideoReader &) = delete;
     VideoReader &operator=(const VideoReader &) = delete;
@@ -56,7 +58,7 @@ public:
 private:
     struct Impl;
     explicit VideoReader(std::unique_ptr<Impl> impl);
-    static Result<std::unique_ptr<VideoReader>> openChecked(const std::filesystem::path &file);
+    static Result<std::unique_ptr<VideoReader>> openChecked(const std::filesystem::path &file, const CancelToken &cancel);
     std::unique_ptr<Impl> m_impl;
 };
 

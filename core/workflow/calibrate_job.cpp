@@ -66,7 +66,7 @@ Result<void> CalibrateJob::searchFile(const std::filesystem::path &file, const J
     const auto visited = visitPictures(file, videoStep, [&](const Frame &frame, const std::string &name) {
         searchPicture(frame, name);
         return !control.isCancelled() && m_views.size() < enoughVideoViews + m_settings.files.size();
-    });
+    }, control.cancel);
     if (control.isCancelled())
         return cancelled("calibration of camera '" + m_settings.camera + "'");
     // One unreadable picture among many is refused like one without a board; it must not cost the others.

@@ -2,7 +2,6 @@
 #include "core/workflow/calibration_media.h"
 
 #include "core/base/file_system.h"
-#include "core/exchange/whole_file.h"
 #include "core/video/picture_writer.h"
 #include "core/workflow/media_copy.h"
 
@@ -25,8 +24,7 @@ CalibrationMedia::~CalibrationMedia()
 {
     if (m_files.empty())
         return;
-    for (const std::filesystem::path &file : m_files)
-        files::remove(file);
+    m_files.clear();
     for (const std::filesystem::path &folder : {m_folder, m_mediaFolder})
         files::remove(folder); // only when empty
 }
@@ -35,25 +33,23 @@ Result<StoredPicture> CalibrationMedia::write(const std::string &name, const std
 {
     if (png.empty() || m_bytes + png.size() > mostBytes)
         return StoredPicture{};
-    const auto failed = [&](const std::string &why) {
-        return fail(ErrorCode::Io, "calibration picture '" + name + "'", why,
-                    "check the free space and the rights of the project's folder");
-    };
-    std::error_code problem;
-    files::makeFolders(m_folder, problem);
-    if (problem)
-        return failed(problem.message());
-    const std::filesystem::path file = freeMediaPath(m_folder, name, ".png");
-    const auto size = static_cast<qsizetype>(png.size());
-    const QByteArrayView bytes(png.data(), size);
-    WholeFile out(QString::fromStdString(file.string()));
-    if (!out.open(QIODevice::WriteOnly) || out.write(bytes.data(), size) != size || !out.commit())
-        return failed(out.errorString().toStdString());
-    m_files.push_back(file);
+    const QByteArrayView bytes(png.data(), static_cast<qsizetype>(png.size()));
+    auto file = writeMediaFile(m_folder, name, ".png", {bytes.data(), png.size()}, "calibration picture '" + name + "'");
+    if (!file)
+        return tl::unexpected(file.error());
+    const std::string path = files::absolute(file->path()).string();
+    m_files.push_back(std::move(*file));
     m_bytes += png.size();
     QCryptographicHash hash(QCryptographicHash::Sha256);
     hash.addData(bytes);
-    return StoredPicture{files::absolute(file).string(), hash.result().toHex().toStdString(), size};
+    return StoredPicture{path, hash.result().toHex().toStdString(), bytes.size()};
+}
+
+void CalibrationMedia::keep()
+{
+    for (ClaimedFile &file : m_files)
+        file.keep();
+    m_files.clear();
 }
 
 Result<StoredPicture> CalibrationMedia::writeFloor(const std::string &camera, const Frame &frame)

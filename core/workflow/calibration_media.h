@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/claimed_file.h"
 #include "core/project/records.h"
 #include "core/video/frame.h"
 
@@ -32,11 +33,11 @@ public:
     Result<StoredPicture> write(const std::string &name, const std::vector<unsigned char> &png);
     /// A camera's picture of the floor, in colour. Long. Error Io.
     Result<StoredPicture> writeFloor(const std::string &camera, const Frame &frame);
-    void keep() { m_files.clear(); }
+    void keep();
 
 private:
     std::filesystem::path m_mediaFolder, m_folder;
-    std::vector<std::filesystem::path> m_files;
+    std::vector<ClaimedFile> m_files; ///< that are not kept
     std::size_t m_bytes = 0;
 };
 

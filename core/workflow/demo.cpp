@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/demo.h"
 
+#include "core/base/claimed_folder.h"
 #include "core/base/file_system.h"
 #include "core/base/shortage.h"
 #include "core/exchange/layout_csv.h"
@@ -35,21 +36,6 @@ Result<void> makeFolder(const fs::path &folder)
     files::makeFolders(folder, problem);
     return problem ? fail(ErrorCode::Io, "folder '" + folder.string() + "'", problem.message(), demoAdvice) : Result<void>();
 }
-
-/// A folder for what is in the making, removed again unless its content was moved to its place.
-class Staging
-{
-public:
-    explicit Staging(fs::path folder) : m_folder(std::move(folder)) {}
-    ~Staging()
-    {
-        files::removeAll(m_folder);
-    }
-    const fs::path &folder() const { return m_folder; }
-
-private:
-    fs::path m_folder;
-};
 
 /// One part of the whole job's progress.
 JobControl part(const JobControl &whole, double from, double to)
@@ -260,12 +246,41 @@ Result<void> buildIn(const fs::path &folder, const JobControl &control)
     return DemoMaker(folder, **project, control).make();
 }
 
+constexpr std::array<const char *, 4> parts = {"demo.media", "calibration", "truth", "demo.odo"};
+
+/// All of it, or nothing. The first is a folder, which takes nobody else's place: of two demos made at once one fails there.
+std::error_code moveParts(const fs::path &from, const fs::path &to)
+{
+    std::error_code problem, ignored;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        files::rename(from / parts[i], to / parts[i], problem);
+        for (std::size_t moved = i; problem && moved > 0; --moved)
+            files::rename(to / parts[moved - 1], from / parts[moved - 1], ignored);
+        if (problem)
+            break;
+    }
+    return problem;
+}
+
+Result<void> makeIn(const fs::path &folder, const std::string &what, const JobControl &control)
+{
+    const auto failed = [&](const std::error_code &problem) {
+        return fail(ErrorCode::Io, what, problem.message(), demoAdvice);
+    };
+    const auto staging = ClaimedFolder::make(folder, ".demo");
+    if (!staging)
+        return failed(staging.error());
+    if (auto built = buildIn(staging->path(), control); !built)
+        return built;
+    const std::error_code problem = moveParts(staging->path(), folder);
+    return problem ? failed(problem) : Result<void>();
+}
+
 } // namespace
 
 Result<fs::path> makeDemo(const fs::path &folder, const JobControl &control)
 {
     const std::string what = "demo in '" + folder.string() + "'";
-    static constexpr std::array<const char *, 4> parts = {"demo.media", "calibration", "truth", "demo.odo"};
     for (const char *name : parts) {
         if (files::exists(folder / name))
             return fail(ErrorCode::AlreadyExists, what, std::string(name) + " is there already",
@@ -273,21 +288,13 @@ Result<fs::path> makeDemo(const fs::path &folder, const JobControl &control)
     }
     std::error_code problem;
     const bool folderIsNew = files::makeFolders(folder, problem);
-    const Staging staging(folder / ".demo-in-the-making");
-    files::removeAll(staging.folder()); // of an earlier attempt that was killed
-    if (!problem)
-        files::makeFolders(staging.folder(), problem);
-    if (!problem) {
-        if (auto built = buildIn(staging.folder(), control); !built) {
-            if (folderIsNew)
-                files::removeAll(folder);
-            return tl::unexpected(built.error());
-        }
-    }
-    for (auto name = parts.begin(); !problem && name != parts.end(); ++name)
-        files::rename(staging.folder() / *name, folder / *name, problem);
     if (problem)
         return fail(ErrorCode::Io, what, problem.message(), demoAdvice);
+    if (auto made = makeIn(folder, what, control); !made) {
+        if (folderIsNew)
+            files::remove(folder); // only when empty
+        return tl::unexpected(made.error());
+    }
     return folder / "demo.odo";
 }
 

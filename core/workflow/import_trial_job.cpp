@@ -32,8 +32,9 @@ ImportTrialJob::ImportTrialJob(ImportSettings settings) : m_settings(std::move(s
 
 ImportTrialJob::~ImportTrialJob()
 {
-    if (!m_committed)
-        removeCopies();
+    m_files.clear(); // those that no trial has go
+    if (!m_folderWasThere)
+        files::remove(m_mediaFolder); // only when empty
 }
 
 Result<void> ImportTrialJob::prepare(Project &project)
@@ -72,6 +73,7 @@ Result<void> ImportTrialJob::prepare(Project &project)
             m_robots = std::move(*robots);
     }
     m_mediaFolder = project.mediaFolder();
+    m_folderWasThere = files::exists(m_mediaFolder);
 
     const auto cameras = project.cameras().all();
     if (!cameras)
@@ -96,7 +98,7 @@ Result<void> ImportTrialJob::prepare(Project &project)
 Result<void> ImportTrialJob::run(const JobControl &control)
 {
     for (std::size_t view = 0; view < m_settings.videos.size(); ++view) {
-        if (auto read = readVideo(view); !read)
+        if (auto read = readVideo(view, control.cancel); !read)
             return read;
     }
     if (auto synchronised = synchronise(control); !synchronised)
@@ -110,10 +112,10 @@ Result<void> ImportTrialJob::run(const JobControl &control)
     return {};
 }
 
-Result<void> ImportTrialJob::readVideo(std::size_t view)
+Result<void> ImportTrialJob::readVideo(std::size_t view, const CancelToken &cancel)
 {
     const auto &[camera, file] = m_settings.videos[view];
-    const auto reader = VideoReader::open(file);
+    const auto reader = VideoReader::open(file, cancel);
     if (!reader)
         return tl::unexpected(reader.error());
     const VideoInfo &info = (*reader)->info();
@@ -245,14 +247,13 @@ Result<void> ImportTrialJob::compareViews()
 Result<void> ImportTrialJob::copyVideo(std::size_t view, const JobControl &control)
 {
     const auto &[camera, file] = m_settings.videos[view];
-    const auto copy = copyIntoMedia(file, m_mediaFolder, m_settings.trial + "_" + camera, control);
+    auto copy = copyIntoMedia(file, m_mediaFolder, m_settings.trial + "_" + camera, control);
     if (!copy)
         return tl::unexpected(copy.error());
-    if (copy->made)
-        m_copies.push_back(copy->file);
-    m_recordings[view].path = files::absolute(copy->file).string(); // stored relative to the project
+    m_recordings[view].path = files::absolute(copy->file.path()).string(); // stored relative to the project
     m_recordings[view].sha256 = copy->sha256;
     m_recordings[view].bytes = copy->bytes;
+    m_files.push_back(std::move(copy->file));
     return {};
 }
 
@@ -282,16 +283,12 @@ Result<void> ImportTrialJob::commit(Project &project)
         m_trial = std::move(*trial);
         return {};
     });
-    m_committed = committed.has_value();
-    return committed;
-}
-
-void ImportTrialJob::removeCopies()
-{
-    for (const auto &copy : m_copies)
-        files::remove(copy);
-    if (!m_copies.empty())
-        files::remove(m_mediaFolder); // only when empty
+    if (!committed)
+        return committed;
+    for (ClaimedFile &file : m_files)
+        file.keep();
+    m_files.clear();
+    return {};
 }
 
 } // namespace odo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/claimed_file.h"
 #include "core/project/records.h"
 #include "core/workflow/job.h"
 #include "core/workflow/registered_view.h"
@@ -34,7 +35,7 @@ struct ImportSettings
 };
 
 /// Brings the videos of one trial into the project: each is copied beside it (with its hash), its frame times are
-/// read, and the views are synchronised. A failed import leaves no file behind.
+/// read, and the views are synchronised. An import that fails or is cancelled removes what it made, and only that.
 class ImportTrialJob : public Job
 {
 public:
@@ -50,23 +51,22 @@ public:
     const std::vector<std::string> &warnings() const { return m_warnings; }
 
 private:
-    Result<void> readVideo(std::size_t view);
+    Result<void> readVideo(std::size_t view, const CancelToken &cancel);
     Result<void> copyVideo(std::size_t view, const JobControl &control);
     Result<void> checkSteps();
     Result<void> synchronise(const JobControl &control);
     Result<void> findOffsets(const std::vector<std::size_t> &toFind, const JobControl &control);
     Result<void> compareViews();
-    void removeCopies();
 
     ImportSettings m_settings;
     std::filesystem::path m_mediaFolder;
+    bool m_folderWasThere = true;
     std::vector<RobotRecord> m_robots;
     std::vector<RegisteredView> m_views; ///< only to synchronise
     TrialRecord m_trial;
     std::vector<RecordingRecord> m_recordings;
-    std::vector<std::filesystem::path> m_copies;
+    std::vector<ClaimedFile> m_files; ///< until they are the trial's
     std::vector<std::string> m_warnings;
-    bool m_committed = false;
 };
 
 } // namespace odo

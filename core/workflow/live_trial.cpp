@@ -43,8 +43,10 @@ Result<std::shared_ptr<LiveTrial>> LiveTrial::begin(Project &project, TrialRecor
     if (auto added = project.inTransaction([&] { return live->addTo(project, cameras); }); !added)
         return tl::unexpected(added.error());
     std::vector<std::filesystem::path> files;
-    for (const View &view : live->m_views)
-        files.push_back(view.file);
+    for (View &view : live->m_views) {
+        view.file.keep(); // it is the trial's
+        files.push_back(view.file.path());
+    }
     session.startRecording(files, preRoll);
     live->m_recording = true;
     return live;
@@ -53,7 +55,6 @@ Result<std::shared_ptr<LiveTrial>> LiveTrial::begin(Project &project, TrialRecor
 Result<void> LiveTrial::addTo(Project &project, const std::vector<std::string> &cameras)
 {
     std::vector<RecordingRecord> records;
-    std::vector<std::filesystem::path> files; // cameras of different names may have the same one on the disk
     for (std::size_t i = 0; i < cameras.size(); ++i) {
         const bool isNew = !project.cameras().find(cameras[i]);
         const auto camera = findOrAddCamera(project, cameras[i]);
@@ -62,11 +63,13 @@ Result<void> LiveTrial::addTo(Project &project, const std::vector<std::string> &
         if (isNew)
             m_newCameras.push_back(camera->id);
         const CameraDescription &description = m_session.description(i);
+        auto file = claimMediaFile(project.mediaFolder(), m_trial.name + "_" + cameras[i], ".mkv");
+        if (!file)
+            return tl::unexpected(file.error());
         View view;
-        view.file = freeMediaPath(project.mediaFolder(), m_trial.name + "_" + cameras[i], ".mkv", files);
-        files.push_back(view.file);
+        view.file = std::move(*file);
         view.record.camera = camera->id;
-        view.record.path = files::absolute(view.file).string(); // stored relative to the project
+        view.record.path = files::absolute(view.file.path()).string(); // stored relative to the project
         view.record.widthPx = description.widthPx;
         view.record.heightPx = description.heightPx;
         view.record.framesPerSecond = description.framesPerSecond;
@@ -164,7 +167,7 @@ Result<void> LiveTrial::run(const JobControl &control)
         };
         view.pending = {added(outcome.times.pictures, view.pictures),
                         added(outcome.times.readings, view.readings)};
-        ended.push_back({view.record, view.file, outcome.taken, outcome.clockSigmaS});
+        ended.push_back({view.record, view.file.path(), outcome.taken, outcome.clockSigmaS});
         if (outcome.taken.empty())
             continue;
         ended.back().record.widthPx = outcome.format.width;
@@ -198,6 +201,10 @@ Result<void> LiveTrial::commit(Project &project)
     });
     if (!completed)
         return completed;
+    for (std::size_t i = 0; i < m_views.size(); ++i) {
+        if (m_outcome.views[i].taken.empty()) // no recording of the trial any more
+            m_views[i].file.remove();
+    }
     m_lock.reset();
     auto trial = project.trials().get(m_trial.id);
     if (!trial)
@@ -222,8 +229,8 @@ Result<void> LiveTrial::discard(Project &project)
     });
     if (!removed)
         return removed;
-    for (const View &view : m_views)
-        files::remove(view.file);
+    for (View &view : m_views)
+        view.file.remove();
     m_lock.reset();
     return {};
 }

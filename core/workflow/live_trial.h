@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/claimed_file.h"
 #include "core/capture/capture_session.h"
 #include "core/project/recording_lock.h"
 #include "core/project/records.h"
@@ -49,12 +50,13 @@ public:
     }                                                             ///< after run: of views with pictures
     const RecordingOutcome &outcome() const { return m_outcome; } ///< after run: of all views of the session
     const std::vector<std::string> &warnings() const { return m_warnings; } ///< after run
+    void addWarning(std::string sentence) { m_warnings.push_back(std::move(sentence)); }
 
 private:
     struct View
     {
         RecordingRecord record;
-        std::filesystem::path file;
+        ClaimedFile file;
         RecordedTimes pending;                  ///< on the disk, and not yet in the project
         std::size_t pictures = 0, readings = 0; ///< in the project
         Nanoseconds first{0}, last{0};          ///< arrival

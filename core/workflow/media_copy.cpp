@@ -3,7 +3,7 @@
 
 #include "core/base/file_system.h"
 #include "core/exchange/file_name.h"
-#include "core/exchange/whole_file.h"
+#include "core/project/new_file.h"
 #include "core/project/recording_rows.h"
 
 #include <QCryptographicHash>
@@ -13,77 +13,136 @@ namespace odo {
 
 namespace {
 
-constexpr qint64 blockBytes = 4 << 20;
+constexpr qint64 blockBytes = 1 << 18;
+/// How much may wait for the disk: who cancels, and the end, waits for no more.
+constexpr qint64 syncEach = 16 << 20;
 constexpr const char *roomAdvice = "check the free space and the rights of the project's folder";
 
 /// Of what files may be called letters and digits of any script, '-' and '_' stay; the rest could mean something to a shell.
-QString safeName(const std::string &name)
+std::string safeName(const std::string &name)
 {
     const QString whole = QString::fromStdString(fileNameOf(name)).left(80);
     QString safe;
     for (const QChar c : whole)
         safe += c.isLetterOrNumber() || c == u'-' || c == u'_' ? c : QChar(u'_');
-    return safe;
+    return safe.toStdString();
+}
+
+/// Makes a file in the folder. An import that failed may remove the empty folder at any moment.
+template <class Make>
+ClaimedFile::Outcome<ClaimedFile> inFolder(const std::filesystem::path &folder, const Make &make)
+{
+    constexpr int mostTries = 20;
+    for (int tried = 1;; ++tried) {
+        std::error_code problem;
+        files::makeFolders(folder, problem);
+        if (problem)
+            return tl::unexpected(problem);
+        auto file = make();
+        if (file || file.error() != std::errc::no_such_file_or_directory || tried == mostTries)
+            return file;
+    }
 }
 
 /// Copies block by block, hashing on the way, and gives the hash.
-Result<std::string> copyHashed(const std::filesystem::path &source, const std::filesystem::path &target,
-                               const std::string &what, const JobControl &control)
+Result<std::string> copyHashed(const std::filesystem::path &source, const ClaimedFile &target, const std::string &what,
+                               const JobControl &control)
 {
-    const auto problemOf = [&](const QFileDevice &file) {
-        return fail(ErrorCode::Io, what, file.errorString().toStdString(), roomAdvice);
-    };
     QFile in(QString::fromStdString(source.string()));
     if (!in.open(QIODevice::ReadOnly))
-        return problemOf(in);
-    WholeFile out(QString::fromStdString(target.string()));
-    if (!out.open(QIODevice::WriteOnly))
-        return problemOf(out);
+        return fail(ErrorCode::Io, what, in.errorString().toStdString(), roomAdvice);
     QCryptographicHash hash(QCryptographicHash::Sha256);
-    while (!in.atEnd()) {
+    for (qint64 waiting = 0; !in.atEnd();) {
         if (control.isCancelled())
             return cancelled(what);
         const QByteArray block = in.read(blockBytes);
         if (block.isEmpty() && in.error() != QFileDevice::NoError)
-            return problemOf(in);
+            return fail(ErrorCode::Io, what, in.errorString().toStdString(), roomAdvice);
         hash.addData(block);
-        if (out.write(block) != block.size())
-            return problemOf(out);
+        std::error_code problem = target.write({block.constData(), static_cast<std::size_t>(block.size())});
+        waiting += block.size();
+        if (!problem && waiting >= syncEach) {
+            problem = target.sync();
+            waiting = 0;
+        }
+        if (problem)
+            return fail(ErrorCode::Io, what, problem.message(), roomAdvice);
     }
-    if (!out.commit())
-        return problemOf(out);
     return hash.result().toHex().toStdString();
+}
+
+Result<void> published(ClaimedFile &file, const std::string &name, const std::string &ending, const std::string &what)
+{
+    std::error_code problem = file.sync();
+    if (!problem)
+        problem = file.publish(safeName(name), ending);
+    if (problem)
+        return fail(ErrorCode::Io, what, problem.message(), roomAdvice);
+    syncToDisk(file.path().parent_path()); // some file systems cannot: the bytes are safe
+    return {};
+}
+
+/// One that lies in the media folder.
+Result<MediaCopy> held(const std::filesystem::path &file, const std::string &what, const JobControl &control)
+{
+    auto hold = ClaimedFile::hold(file);
+    if (!hold && hold.error() == std::errc::resource_unavailable_try_again)
+        return fail(ErrorCode::Unavailable, what, "another program is writing or removing it just now", "wait until that has ended");
+    auto hash = fileSha256(file, control);
+    if (!hash)
+        return tl::unexpected(hash.error());
+    if (!hold)
+        return fail(ErrorCode::Io, what, hold.error().message(), "check that the file is there and may be read");
+    return MediaCopy{std::move(*hold), std::move(*hash)};
+}
+
+Result<MediaCopy> copied(const std::filesystem::path &source, const std::filesystem::path &mediaFolder, const std::string &name,
+                         const std::string &what, const JobControl &control)
+{
+    auto file = inFolder(mediaFolder, [&] { return ClaimedFile::begin(mediaFolder); });
+    if (!file)
+        return fail(ErrorCode::Io, what, file.error().message(), roomAdvice);
+    auto hash = copyHashed(source, *file, what, control);
+    if (!hash)
+        return tl::unexpected(hash.error());
+    if (auto done = published(*file, name, source.extension().string(), what); !done)
+        return tl::unexpected(done.error());
+    return MediaCopy{std::move(*file), std::move(*hash)};
 }
 
 } // namespace
 
-std::filesystem::path freeMediaPath(const std::filesystem::path &folder, const std::string &name,
-                                    const std::string &ending, const std::vector<std::filesystem::path> &taken)
+Result<ClaimedFile> claimMediaFile(const std::filesystem::path &folder, const std::string &name, const std::string &ending)
 {
-    const std::string stem = safeName(name).toStdString();
-    std::filesystem::path path = folder / (stem + ending);
-    for (int number = 2; files::exists(path) || std::ranges::find(taken, path) != taken.end(); ++number)
-        path = folder / (stem + "_" + std::to_string(number) + ending);
-    return path;
+    auto file = inFolder(folder, [&] { return ClaimedFile::create(folder, safeName(name), ending); });
+    if (!file)
+        return fail(ErrorCode::Io, "cannot write '" + (folder / (safeName(name) + ending)).string() + "'", file.error().message(), roomAdvice);
+    return std::move(*file);
+}
+
+Result<ClaimedFile> writeMediaFile(const std::filesystem::path &folder, const std::string &name, const std::string &ending,
+                                   std::span<const char> content, const std::string &what)
+{
+    auto file = inFolder(folder, [&] { return ClaimedFile::begin(folder); });
+    if (!file)
+        return fail(ErrorCode::Io, what, file.error().message(), roomAdvice);
+    if (const std::error_code problem = file->write(content))
+        return fail(ErrorCode::Io, what, problem.message(), roomAdvice);
+    if (auto done = published(*file, name, ending, what); !done)
+        return tl::unexpected(done.error());
+    return std::move(*file);
 }
 
 Result<MediaCopy> copyIntoMedia(const std::filesystem::path &source, const std::filesystem::path &mediaFolder,
                                 const std::string &name, const JobControl &control)
 {
-    const std::string what = "copy of '" + source.string() + "'";
     std::error_code problem;
-    files::makeFolders(mediaFolder, problem);
-    if (problem)
-        return fail(ErrorCode::Io, what, problem.message(), roomAdvice);
-    MediaCopy copy;
     const std::filesystem::path original = files::absolute(source);
-    copy.made = !files::isSame(original.parent_path(), mediaFolder);
-    copy.file = copy.made ? freeMediaPath(mediaFolder, name, source.extension().string()) : original;
-    const auto hash = copy.made ? copyHashed(original, copy.file, what, control) : fileSha256(original, control);
-    if (!hash)
-        return tl::unexpected(hash.error());
-    copy.sha256 = *hash;
-    copy.bytes = static_cast<std::int64_t>(files::sizeOf(copy.file, problem));
+    const std::string what = "copy of '" + source.string() + "'";
+    const bool isThere = files::isSame(original.parent_path(), mediaFolder);
+    auto copy = isThere ? held(original, what, control) : copied(original, mediaFolder, name, what, control);
+    if (copy)
+        copy->bytes = static_cast<std::int64_t>(files::sizeOf(copy->file.path(), problem));
     return copy;
 }
 

@@ -70,7 +70,7 @@ Result<Frame> MovedJob::picture(const JobControl &control) const
     const auto visited = visitPictures(m_settings.pictureFile, 1, [&](const Frame &frame, const std::string &) {
         first = frame;
         return false;
-    });
+    }, control.cancel);
     if (!visited)
         return tl::unexpected(visited.error());
     if (!first)

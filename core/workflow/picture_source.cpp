@@ -42,7 +42,7 @@ Result<Frame> pictureOf(const std::filesystem::path &file, std::int64_t frame)
 }
 
 Result<void> visitPictures(const std::filesystem::path &file, int videoStep,
-                           const std::function<bool(const Frame &, const std::string &)> &visit)
+                           const std::function<bool(const Frame &, const std::string &)> &visit, const CancelToken &cancel)
 {
     const std::string name = file.filename().string();
     if (isStillPicture(file)) {
@@ -52,7 +52,7 @@ Result<void> visitPictures(const std::filesystem::path &file, int videoStep,
         visit(*picture, name);
         return {};
     }
-    auto reader = VideoReader::open(file);
+    auto reader = VideoReader::open(file, cancel);
     if (!reader)
         return tl::unexpected(reader.error());
     for (;;) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/job_control.h"
+#include "core/base/job_control.h"
 #include "core/video/frame.h"
 
 #include <filesystem>
@@ -18,8 +19,8 @@ bool isStillPicture(const std::filesystem::path &file);
 Result<Frame> pictureOf(const std::filesystem::path &file, std::int64_t frame);
 
 /// Gives the pictures of a file one after another, named "file" or "file@frame": one for a still, every step-th for a
-/// video. Stops early when visit returns false. Errors: neither a picture nor a video.
+/// video. Stops early when visit returns false. Errors: neither a picture nor a video; Cancelled.
 Result<void> visitPictures(const std::filesystem::path &file, int videoStep,
-                           const std::function<bool(const Frame &, const std::string &)> &visit);
+                           const std::function<bool(const Frame &, const std::string &)> &visit, const CancelToken &cancel);
 
 } // namespace odo

@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/project/rescue.h"
 #include "core/workflow/hash_job.h"
 #include "core/workflow/line_up.h"
 #include "core/workflow/live_tracking.h"
@@ -171,6 +172,18 @@ Result<LiveSending> beginSending(SentRobots sent, CaptureSession &session)
     return sending;
 }
 
+/// What is stored in a file that was taken away would go with it.
+Result<void> rescueIfLost(const Project &project, LiveTrial &live)
+{
+    if (project.isInPlace())
+        return {};
+    const auto rescued = rescueProject(project);
+    if (!rescued)
+        return tl::unexpected(rescued.error());
+    live.addWarning("the project's file was deleted, renamed or replaced meanwhile; what was in it is rescued in '" + rescued->string() + "'");
+    return {};
+}
+
 /// Until its time is over, or nothing more can be recorded.
 Result<void> keepRecording(Project &project, LiveTrial &live, const CaptureSession &session,
                            const RecordSettings &settings, const JobControl &control)
@@ -182,7 +195,8 @@ Result<void> keepRecording(Project &project, LiveTrial &live, const CaptureSessi
         std::this_thread::sleep_for(lookEach);
         const auto now = Clock::now();
         const double passedS = std::chrono::duration<double>(now - begun).count();
-        control.report(std::min(1.0, passedS / settings.seconds), "recording");
+        control.report(std::min(1.0, passedS / settings.seconds),
+                       project.isInPlace() ? "recording" : "recording; the project's file is gone, what is in it will be rescued");
         const CaptureHealth health = session.health();
         if (passedS >= settings.seconds || control.isCancelled() || health.disk.ended ||
             std::ranges::any_of(health.views, hasEnded))
@@ -227,17 +241,14 @@ Result<std::shared_ptr<LiveTrial>> recordTrial(Project &project, const RecordSet
     if (!live)
         return live;
     const auto kept = keepRecording(project, **live, session, settings, control);
-    if (control.isCancelled()) {
-        if (auto discarded = (*live)->discard(project); !discarded)
-            return tl::unexpected(discarded.error());
-        return cancelled(whatOf(settings));
-    }
-    // Where the project could not be written to, the end tries once more, with all that is missing.
-    if (auto ended = runToEnd(**live, project, control); !ended)
+    // Whoever stops it keeps what is recorded. Where the project could not be written to, the end tries once more, with all that is missing.
+    if (auto ended = runToEnd(**live, project, {{}, control.progress}); !ended)
         return tl::unexpected(kept ? ended.error() : kept.error());
     HashJob hashes; // what is left of them is made the next time
     if (auto done = runToEnd(hashes, project, control); !done && done.error().code != ErrorCode::Cancelled)
         return tl::unexpected(done.error());
+    if (auto rescued = rescueIfLost(project, **live); !rescued)
+        return tl::unexpected(rescued.error());
     return live;
 }
 

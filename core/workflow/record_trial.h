@@ -24,8 +24,9 @@ struct RecordSettings
 };
 
 /// Records a trial from cameras: every picture of every view to the disk, the views put in step by the
-/// cameras' clocks. Long, on the project's thread. One that is cancelled leaves nothing behind; one that ends
-/// early, because a file has ended or the disk fails, keeps what there is, and its warnings say so. Sending live positions never delays
+/// cameras' clocks. Long, on the project's thread. One that is cancelled before it began leaves nothing behind (Cancelled); one that is
+/// cancelled later, or ends early because a file has ended or the disk fails, keeps what there is, and its warnings say so. Where the project's
+/// file was taken away meanwhile, a warning says in which copy of it the trial is. Sending live positions never delays
 /// it; Undetermined where no camera is registered, so that there are none.
 Result<std::shared_ptr<LiveTrial>> recordTrial(Project &project, const RecordSettings &settings,
                                                const JobControl &control);

@@ -87,13 +87,13 @@ Result<void> RecoverJob::run(const JobControl &control)
                        "completing a recording that was cut off");
         if (control.isCancelled())
             return cancelled("completing the recordings");
-        if (auto recovered = recover(m_trials[i]); !recovered)
+        if (auto recovered = recover(m_trials[i], control.cancel); !recovered)
             return recovered;
     }
     return {};
 }
 
-Result<void> RecoverJob::recover(Unfinished &unfinished) const
+Result<void> RecoverJob::recover(Unfinished &unfinished, const CancelToken &cancel) const
 {
     std::vector<EndedView> ended;
     for (View &view : unfinished.views) {
@@ -101,7 +101,9 @@ Result<void> RecoverJob::recover(Unfinished &unfinished) const
             unfinished.missing = view.file.string();
             return {};
         }
-        const auto reader = VideoReader::open(view.file);
+        const auto reader = VideoReader::open(view.file, cancel);
+        if (!reader && reader.error().code == ErrorCode::Cancelled)
+            return tl::unexpected(reader.error());
         if (!reader) { // it was cut off before a picture was on the disk
             if (view.times.pictures.empty() && isOwnMedia(view.file, m_mediaFolder) && hasNoPicture(view.file))
                 unfinished.empty.push_back(view.file);

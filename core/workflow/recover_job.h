@@ -45,7 +45,7 @@ private:
         std::string missing;                     ///< a file that is not there; then the trial stays as it is
         std::vector<std::filesystem::path> empty; ///< files that no picture has come into
     };
-    Result<void> recover(Unfinished &unfinished) const;
+    Result<void> recover(Unfinished &unfinished, const CancelToken &cancel) const;
     static void removeEmpty(const Unfinished &unfinished);
     Result<void> complete(Project &project, Unfinished &unfinished);
 

@@ -133,7 +133,7 @@ Result<void> RegisterJob::findInPictures(const JobControl &control)
             m_seenIn = frame;
         }
         return m_settings.pixels.size() < m_layout.markers.size() && ++looked < mostPictures && !control.isCancelled();
-    });
+    }, control.cancel);
     if (control.isCancelled())
         return cancelled(what);
     if (!visited)

@@ -59,7 +59,7 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
     const auto tracker = trackerOf(robots);
     if (!tracker)
         return tl::unexpected(tracker.error());
-    auto reader = VideoReader::open(view.file);
+    auto reader = VideoReader::open(view.file, control.cancel);
     if (!reader)
         return tl::unexpected(reader.error());
     // Decoding only what the tracker will look at is so much cheaper that a thread that decodes ahead, and cannot know

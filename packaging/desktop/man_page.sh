@@ -67,8 +67,8 @@ It could not be done; the project is as it was.
 .B 2
 The call was wrong.
 .TP
-.B 130
-Cancelled by Ctrl\-C.
+.BR 130 ", " 143 ", " 129
+Stopped by Ctrl\-C, SIGTERM or SIGHUP. A recording is kept. A second Ctrl\-C ends the program at once.
 .SH FILES
 .TP
 .I PROJECT.odo

@@ -7,7 +7,7 @@
 #include "core/workflow/recover_job.h"
 #include "tests/support/noise_clip.h"
 
-#include <QFile>
+#include <QFileInfo>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
@@ -77,7 +77,7 @@ Kill TestRecordKilled::recordAndKill(const QString &project, const QString &tria
     const QString first =
         QString(project).replace(QStringLiteral(".odo"), QStringLiteral(".media/%1_A.mkv").arg(trial));
     if (moment.recording &&
-        !QTest::qWaitFor([&] { return QFile::exists(first) || program.state() == QProcess::NotRunning; },
+        !QTest::qWaitFor([&] { return QFileInfo(first).size() > 0 || program.state() == QProcess::NotRunning; },
                          60000))
         qWarning("no recording began within a minute");
     QThread::msleep(

@@ -31,10 +31,10 @@ private Q_SLOTS:
         const std::filesystem::path media = folder.filePath(QStringLiteral("p.media")).toStdString();
         const auto copy = copyIntoMedia(source, media, "run 1_A", {});
         QVERIFY2(copy.has_value(), copy ? "" : copy.error().message().c_str());
-        QCOMPARE(copy->file, media / "run_1_A.mkv");
+        QCOMPARE(copy->file.path(), media / "run_1_A.mkv");
         QCOMPARE(copy->bytes, std::int64_t(content.size()));
         QCOMPARE(copy->sha256, QCryptographicHash::hash(content, QCryptographicHash::Sha256).toHex().toStdString());
-        QFile written(QString::fromStdString(copy->file.string()));
+        QFile written(QString::fromStdString(copy->file.path().string()));
         QVERIFY(written.open(QIODevice::ReadOnly));
         QCOMPARE(written.readAll(), content);
     }
@@ -44,19 +44,45 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         const auto source = makeFile(folder, "abc");
         const std::filesystem::path media = folder.filePath(QStringLiteral("p.media")).toStdString();
-        QCOMPARE(copyIntoMedia(source, media, "../../etc/A", {})->file.parent_path(), media);
+        QCOMPARE(copyIntoMedia(source, media, "../../etc/A", {})->file.path().parent_path(), media);
         const auto first = copyIntoMedia(source, media, "A", {}), second = copyIntoMedia(source, media, "A", {});
-        QVERIFY(first->file != second->file);
+        QVERIFY(first->file.path() != second->file.path());
+    }
+
+    /// As an import that failed removes its own, whatever has the name by now.
+    void onlyWhatIsKeptStays()
+    {
+        const QTemporaryDir folder;
+        const auto source = makeFile(folder, "abc");
+        const std::filesystem::path media = folder.filePath(QStringLiteral("p.media")).toStdString();
+        {
+            auto kept = copyIntoMedia(source, media, "A", {});
+            const auto dropped = copyIntoMedia(source, media, "A", {});
+            QCOMPARE(QDir(QString::fromStdString(media.string())).entryList(QDir::Files).size(), 2);
+            kept->file.keep();
+        }
+        QCOMPARE(QDir(QString::fromStdString(media.string())).entryList(QDir::Files), QStringList{QStringLiteral("A.mkv")});
+    }
+
+    void whatSomebodyWritesIsRefused()
+    {
+        const QTemporaryDir folder;
+        const std::filesystem::path media = folder.path().toStdString();
+        const auto written = claimMediaFile(media, "A", ".mkv");
+        const auto copy = copyIntoMedia(written->path(), media, "B", {});
+        QVERIFY(!copy && copy.error().code == ErrorCode::Unavailable);
+        QVERIFY(copy.error().message().find("another program is writing or removing it just now") != std::string::npos);
     }
 
     void aFileInTheMediaFolderStaysWhereItIs()
     {
         const QTemporaryDir folder;
         const auto source = makeFile(folder, "abc");
-        const auto copy = copyIntoMedia(source, source.parent_path(), "A", {});
-        QVERIFY(copy.has_value());
-        QCOMPARE(copy->file, source);
-        QVERIFY(!copy->made);
+        std::optional<Result<MediaCopy>> made = copyIntoMedia(source, source.parent_path(), "A", {});
+        QVERIFY(made->has_value());
+        QCOMPARE((*made)->file.path(), source);
+        made.reset();
+        QVERIFY(std::filesystem::exists(source));
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
     }
 
@@ -70,7 +96,7 @@ private Q_SLOTS:
         const auto copy = copyIntoMedia(source, media, "A", control);
         QVERIFY(!copy.has_value());
         QCOMPARE(copy.error().code, ErrorCode::Cancelled);
-        QVERIFY(QDir(QString::fromStdString(media.string())).isEmpty(QDir::Files));
+        QVERIFY(QDir(QString::fromStdString(media.string())).isEmpty(QDir::Files | QDir::Hidden));
     }
 
     void aFolderThatCannotBeMadeIsSaid()

@@ -364,6 +364,14 @@ Result<void> MainWindow::compareTrials(const QStringList &names)
     return m_pages ? m_pages->compareTrials(names) : noProject("comparison");
 }
 
+void MainWindow::finishRecording()
+{
+    if (!m_pages)
+        return;
+    m_pages->finishRecording();
+    m_pages->saveNotes();
+}
+
 bool MainWindow::isSettled() const
 {
     return !m_pages || m_pages->isSettled();

@@ -56,6 +56,9 @@ public:
     /// Every picture that belongs to what is shown is on screen, or cannot be had.
     bool isSettled() const;
 
+    /// For when the program may have to end at any moment: what is being recorded is complete in the project, and notes are stored, when this returns.
+    void finishRecording();
+
     Workspace &workspace() const { return *m_workspace; }
 
 Q_SIGNALS:

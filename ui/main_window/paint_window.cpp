@@ -12,9 +12,10 @@
 namespace odo {
 namespace {
 constexpr std::chrono::seconds longestWait{10};
+constexpr std::chrono::milliseconds lookEach{50};
 }
 
-QImage paintWindow(MainWindow &window, QSize size)
+QImage paintWindow(MainWindow &window, QSize size, const CancelToken &cancel)
 {
     window.resize(size);
     window.show();
@@ -23,12 +24,14 @@ QImage paintWindow(MainWindow &window, QSize size)
     QCoreApplication::processEvents();
     window.grab();
     QEventLoop loop;
-    QTimer limit;
+    QTimer limit, cancelled;
     limit.setSingleShot(true);
     QObject::connect(&limit, &QTimer::timeout, &loop, &QEventLoop::quit);
     QObject::connect(&window, &MainWindow::settled, &loop, &QEventLoop::quit);
     limit.start(longestWait);
-    while (!window.isSettled() && limit.isActive())
+    QObject::connect(&cancelled, &QTimer::timeout, &loop, &QEventLoop::quit);
+    cancelled.start(lookEach);
+    while (!window.isSettled() && limit.isActive() && !cancel.isCancelled())
         loop.exec();
     QCoreApplication::processEvents();
     return window.grab().toImage();

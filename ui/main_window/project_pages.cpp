@@ -88,6 +88,12 @@ TestbedPage &ProjectPages::testbed()
     return *m_testbed;
 }
 
+void ProjectPages::finishRecording()
+{
+    if (m_record)
+        m_record->finishRecording();
+}
+
 RecordPage &ProjectPages::record()
 {
     page(Mode::Record);

@@ -64,6 +64,8 @@ public:
     /// What is being written (notes) is stored now.
     void saveNotes();
     void saveLayouts() const;
+    /// What is being recorded is complete in the project when this returns.
+    void finishRecording();
     /// The trial on screen in Review; null: none.
     TrialScenePtr scene() const;
 

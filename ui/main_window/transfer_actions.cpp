@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "core/workflow/pack_job.h"
 #include "core/workflow/relink_job.h"
+#include "core/workflow/stray_jobs.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/core_words.h"
 #include "ui/views/command_names.h"
@@ -14,6 +15,8 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
 
 namespace odo {
 
@@ -21,17 +24,20 @@ TransferActions::TransferActions(Workspace &workspace, QWidget &window)
     : QObject(&window), m_workspace(workspace), m_window(window),
       m_pack(new QAction(tr("&Pack into one file…"), this)),
       m_unpack(new QAction(tr("&Unpack a packed project…"), this)),
-      m_relink(new QAction(tr("Find &lost videos…"), this))
+      m_relink(new QAction(tr("Find &lost videos…"), this)), m_strays(new QAction(tr("Find &stray files…"), this))
 {
-    nameCommands({{m_pack, "pack"}, {m_unpack, "unpack"}, {m_relink, "relink"}});
+    nameCommands({{m_pack, "pack"}, {m_unpack, "unpack"}, {m_relink, "relink"}, {m_strays, "strays"}});
     m_pack->setEnabled(false);
     m_relink->setEnabled(false);
+    m_strays->setEnabled(false);
     connect(m_pack, &QAction::triggered, this, &TransferActions::askPack);
     connect(m_unpack, &QAction::triggered, this, &TransferActions::askArchive);
     connect(m_relink, &QAction::triggered, this, &TransferActions::askLostVideos);
+    connect(m_strays, &QAction::triggered, this, &TransferActions::findStrays);
     connect(&m_workspace, &Workspace::opened, this, [this] {
         m_pack->setEnabled(true);
         m_relink->setEnabled(!m_workspace.isReadOnly());
+        m_strays->setEnabled(!m_workspace.isReadOnly());
     });
 }
 
@@ -40,6 +46,7 @@ void TransferActions::fillMenu(QMenu &menu)
     menu.addAction(m_pack);
     menu.addAction(m_unpack);
     menu.addAction(m_relink);
+    menu.addAction(m_strays);
 }
 
 void TransferActions::tellFailure(const Result<void> &result)
@@ -110,6 +117,59 @@ void TransferActions::askLostVideos()
         Q_EMIT done(tr("%1 of %2 lost videos were found, by their content.")
                         .arg(job->foundCount())
                         .arg(job->lostCount()));
+    }));
+}
+
+void TransferActions::findStrays()
+{
+    const auto job = std::make_shared<FindStraysJob>();
+    tellFailure(m_workspace.start(job, tr("Looking for stray files"), [this, job] {
+        if (job->strays().empty())
+            Q_EMIT done(tr("Every file in the media folder belongs to a trial, a lens calibration or a floor registration."));
+        else
+            askStrays(*job);
+    }));
+}
+
+void TransferActions::askStrays(const FindStraysJob &found)
+{
+    auto *box = new QMessageBox(&m_window);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setObjectName(QStringLiteral("strays"));
+    box->setWindowTitle(tr("Stray files"));
+    box->setTextFormat(Qt::PlainText);
+    box->setText(tr("%n file(s) in the media folder belong to no trial, lens calibration or floor registration.", nullptr,
+                    static_cast<int>(found.strays().size())));
+    box->setInformativeText(tr("Videos can become trials of their own. Removed files are gone for good."));
+    QStringList names;
+    for (const std::filesystem::path &file : found.strays())
+        names << QDir::toNativeSeparators(textOf(file));
+    box->setDetailedText(names.join(u'\n'));
+    QPushButton *add = box->addButton(tr("&Add videos as trials"), QMessageBox::AcceptRole);
+    add->setEnabled(!found.videos().empty());
+    QPushButton *remove = box->addButton(tr("&Remove files"), QMessageBox::DestructiveRole);
+    box->setDefaultButton(box->addButton(QMessageBox::Cancel));
+    connect(add, &QPushButton::clicked, this, [this, videos = found.videos()] { adopt(videos); });
+    connect(remove, &QPushButton::clicked, this, [this, files = found.strays()] { removeStrays(files); });
+    box->open();
+}
+
+void TransferActions::adopt(const std::vector<std::filesystem::path> &videos)
+{
+    const auto job = std::make_shared<AdoptStraysJob>(videos);
+    tellFailure(m_workspace.start(job, tr("Adding stray videos as trials"), [this, job] {
+        if (!job->trials().empty() || job->failures().empty())
+            Q_EMIT done(tr("%n trial(s) added. Their names begin with \"recovered\".", nullptr, static_cast<int>(job->trials().size())));
+        for (const Error &failure : job->failures())
+            Q_EMIT failed(failure);
+    }));
+}
+
+void TransferActions::removeStrays(const std::vector<std::filesystem::path> &files)
+{
+    const auto job = std::make_shared<RemoveStraysJob>(files);
+    tellFailure(m_workspace.start(job, tr("Removing stray files"), [this, job] {
+        Q_EMIT done(tr("%n stray file(s) removed.", nullptr, static_cast<int>(job->removed().size())));
     }));
 }
 

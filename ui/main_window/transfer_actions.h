@@ -5,6 +5,7 @@
 
 #include <QObject>
 #include <filesystem>
+#include <vector>
 
 class QAction;
 class QMenu;
@@ -12,10 +13,11 @@ class QWidget;
 
 namespace odo {
 
+class FindStraysJob;
 class Workspace;
 
-/// Taking a project elsewhere: packing it into one file with its videos, unpacking such a file, and finding
-/// videos that were lost on the way. Owns the actions and asks for the files.
+/// Taking a project elsewhere: packing it into one file with its videos, unpacking such a file, finding
+/// videos that were lost on the way, and files in its media folder that belong to nothing. Owns the actions and asks for the files.
 class TransferActions : public QObject
 {
     Q_OBJECT
@@ -39,12 +41,16 @@ private:
     void askPack();
     void askArchive();
     void askLostVideos();
+    void findStrays();
+    void askStrays(const FindStraysJob &found);
+    void adopt(const std::vector<std::filesystem::path> &videos);
+    void removeStrays(const std::vector<std::filesystem::path> &files);
     void pack(const QString &archive);
     void tellFailure(const Result<void> &result);
 
     Workspace &m_workspace;
     QWidget &m_window;
-    QAction *m_pack, *m_unpack, *m_relink;
+    QAction *m_pack, *m_unpack, *m_relink, *m_strays;
 };
 
 } // namespace odo

@@ -156,6 +156,13 @@ bool RecordPage::isRecording() const
     return m_recorder->isRecording() || m_recorder->isEnding();
 }
 
+void RecordPage::finishRecording()
+{
+    if (m_control.phase() != RunPhase::Ready)
+        obey(m_control.press());
+    m_recorder->finish();
+}
+
 void RecordPage::refresh()
 {
     auto lineUp = LineUp::read(m_project, arePseudonymsShown());

@@ -39,6 +39,8 @@ public:
     /// Reads teams, tasks, robots and registrations anew; what is being recorded goes on.
     void refresh();
     bool isRecording() const;
+    /// Ends what is recorded, or about to be, and waits until the trial is complete in the project.
+    void finishRecording();
     /// Where live positions are sent may have been chosen anew; while a run goes on they stay where they were.
     void followNetwork();
     /// For menus: record or stop, cameras, set-up doctor.

@@ -40,6 +40,11 @@ RunRecorder::RunRecorder(std::filesystem::path project, QObject *parent)
 
 RunRecorder::~RunRecorder()
 {
+    finish();
+}
+
+void RunRecorder::finish()
+{
     end();
     awaitThread();
 }

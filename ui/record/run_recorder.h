@@ -38,6 +38,8 @@ public:
     void begin(const NextRun &run, const std::vector<std::string> &cameras,
                std::shared_ptr<CaptureSession> session, Nanoseconds from);
     void end();
+    /// As end(), and waits until the trial is complete in the project: as long as the pictures that wait for the disk take.
+    void finish();
     bool isRecording() const { return m_state == State::Recording; }
     bool isEnding() const { return m_state == State::Ending; }
 

@@ -19,10 +19,10 @@ namespace {
 class ViewFilm
 {
 public:
-    static Result<ViewFilm> open(const SceneView &view, QSize sizePx)
+    static Result<ViewFilm> open(const SceneView &view, QSize sizePx, const CancelToken &cancel)
     {
         constexpr std::size_t ahead = 4;
-        auto stream = FrameStream::open(view.file, ahead);
+        auto stream = FrameStream::open(view.file, ahead, cancel);
         if (!stream)
             return tl::unexpected(stream.error());
         return ViewFilm(std::move(*stream), sizePx);
@@ -142,7 +142,7 @@ Result<void> AnnotatedVideoJob::writePictures(const JobControl &control, Annotat
     options.threads = 0;
     std::vector<ViewFilm> films;
     for (std::size_t view = 0; view < m_scene->views.size(); ++view) {
-        auto film = ViewFilm::open(m_scene->views[view], painter.viewSizePx(view));
+        auto film = ViewFilm::open(m_scene->views[view], painter.viewSizePx(view), control.cancel);
         if (!film)
             return tl::unexpected(film.error());
         films.push_back(std::move(*film));

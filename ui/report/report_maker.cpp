@@ -11,11 +11,14 @@ namespace odo {
 
 namespace {
 
-Result<void> give(const ReportPages &pages, const PageSink &sink)
+Result<void> give(const ReportPages &pages, const PageSink &sink, const JobControl &control)
 {
-    for (const ReportPage &page : pages)
+    for (const ReportPage &page : pages) {
+        if (control.isCancelled())
+            return cancelled("report");
         if (auto taken = sink(page); !taken)
             return taken;
+    }
     return {};
 }
 
@@ -31,10 +34,10 @@ ReportMaker trialReports(std::vector<std::string> trials, const ReportOptions &o
             if (control.isCancelled())
                 return cancelled("report");
             control.report(double(i) / double(trials.size()), trials[i]);
-            const auto content = reader.read(trials[i]);
+            const auto content = reader.read(trials[i], control.cancel);
             if (!content)
                 return tl::unexpected(content.error());
-            if (auto given = give(trialPages(*content, options), sink); !given)
+            if (auto given = give(trialPages(*content, options), sink, control); !given)
                 return given;
         }
         return {};
@@ -49,7 +52,7 @@ ReportMaker comparisonReport(CompareSettings settings, const ReportOptions &opti
         const auto scene = loadComparisonScene(project, settings);
         if (!scene)
             return tl::unexpected(scene.error());
-        return give(comparisonPages(*scene, options), sink);
+        return give(comparisonPages(*scene, options), sink, control);
     };
 }
 
@@ -63,7 +66,7 @@ ReportMaker classReport(ClassReportSettings settings, const ReportOptions &optio
             return tl::unexpected(content.error());
         if (control.isCancelled())
             return cancelled("report");
-        return give(classPages(*content, options), sink);
+        return give(classPages(*content, options), sink, control);
     };
 }
 

@@ -27,11 +27,11 @@ void forEachView(const TrialScene &scene, const std::function<void(std::size_t v
     sideBySide(scene.views.size(), work);
 }
 
-Readers openVideos(const TrialScene &scene)
+Readers openVideos(const TrialScene &scene, const CancelToken &cancel)
 {
     Readers readers(scene.views.size());
     forEachView(scene, [&](std::size_t view) {
-        if (auto reader = VideoReader::open(scene.views[view].file))
+        if (auto reader = VideoReader::open(scene.views[view].file, cancel))
             readers[view] = std::move(*reader);
     });
     return readers;
@@ -72,7 +72,7 @@ Nanoseconds keyFrameTime(const TrialScene &scene, const Readers &readers, Nanose
 
 std::vector<Still> takeStills(const TrialScene &scene, Nanoseconds time, int widthPx)
 {
-    return takeStills(scene, openVideos(scene), time, widthPx);
+    return takeStills(scene, openVideos(scene, {}), time, widthPx);
 }
 
 Nanoseconds tellingMoment(const TrialScene &scene)
@@ -134,7 +134,7 @@ Result<std::vector<std::optional<double>>> TrialContentReader::lensesOf(const Tr
     return lenses;
 }
 
-Result<TrialContentPtr> TrialContentReader::read(const std::string &trial)
+Result<TrialContentPtr> TrialContentReader::read(const std::string &trial, const CancelToken &cancel)
 {
     const auto scene = loadTrialScene(m_project, trial);
     if (!scene)
@@ -151,10 +151,12 @@ Result<TrialContentPtr> TrialContentReader::read(const std::string &trial)
     content->lensRmsPx = std::move(*lenses);
     content->stillTime = tellingMoment(**scene);
     content->isAtTopSpeed = m_moment == StillMoment::TopSpeed;
-    const Readers readers = openVideos(**scene);
+    const Readers readers = openVideos(**scene, cancel);
     if (!content->isAtTopSpeed)
         content->stillTime = keyFrameTime(**scene, readers, content->stillTime);
     content->stills = takeStills(**scene, readers, content->stillTime, stillWidthPx);
+    if (cancel.isCancelled()) // its stills may be missing
+        return cancelled("report");
     return content;
 }
 

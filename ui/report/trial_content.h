@@ -54,8 +54,8 @@ class TrialContentReader
 public:
     TrialContentReader(Project &project, StillMoment moment) : m_project(project), m_moment(moment) {}
     /// With the pictures of the views, so that this takes as long as decoding them.
-    /// Errors: those of loadTrialScene and of the repositories.
-    Result<TrialContentPtr> read(const std::string &trial);
+    /// Errors: those of loadTrialScene and of the repositories; Cancelled.
+    Result<TrialContentPtr> read(const std::string &trial, const CancelToken &cancel = {});
 
 private:
     Result<std::map<std::string, ClassFigure>> classFiguresOf(const TrialScene &scene);

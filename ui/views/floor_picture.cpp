@@ -78,7 +78,7 @@ std::vector<Node> nodesOf(const FloorView &view, const Plan &plan)
 std::vector<ScreenPicture> spreadPictures(const SceneView &view, const CancelToken &cancel)
 {
     std::vector<ScreenPicture> pictures;
-    auto reader = VideoReader::open(view.file);
+    auto reader = VideoReader::open(view.file, cancel);
     if (!reader)
         return pictures;
     const auto count = static_cast<std::int64_t>((*reader)->info().frameTimes.size());

@@ -13,10 +13,27 @@
 
 #include <QDir>
 #include <QFile>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
 
 using namespace odo;
+
+namespace {
+
+Answer pressButton(const QString &words)
+{
+    return [words](QDialog &dialog) {
+        const auto buttons = dialog.findChildren<QPushButton *>();
+        for (QPushButton *button : buttons)
+            if (button->text().remove(u'&') == words && button->isEnabled())
+                return button->click();
+        qWarning("no button '%s'", qPrintable(words));
+    };
+}
+
+} // namespace
 
 class TestTransfer : public QObject
 {
@@ -26,6 +43,7 @@ private Q_SLOTS:
     void isPackedAndOpenedElsewhere();
     void whatIsNoPackedProjectIsRefused();
     void lostVideosAreFound();
+    void strayFilesBecomeTrialsOrGo();
     void theNextYearBeginsWithTheSetUp();
 
 private:
@@ -34,6 +52,13 @@ private:
     void run(const char *action, const QList<Answer> &answers)
     {
         test::run(*m_window, test::actionOf(*m_window, action), answers);
+    }
+    /// What was found is asked about when the search has ended.
+    void answerStrays(const Answer &answer)
+    {
+        const Person person({answer});
+        test::actionOf(*m_window, "Find stray files…")->trigger();
+        QTRY_VERIFY(person.isDone());
     }
     std::size_t lostVideos() const;
 
@@ -131,6 +156,32 @@ void TestTransfer::lostVideosAreFound()
                  message().endsWith(QLatin1String(" lost videos were found, by their content.")),
              qPrintable(message()));
     QCOMPARE(lostVideos(), lost);
+}
+
+void TestTransfer::strayFilesBecomeTrialsOrGo()
+{
+    run("Find stray files…", {});
+    QCOMPARE(message(), QStringLiteral("Every file in the media folder belongs to a trial, a lens calibration or a floor registration."));
+    Project &project = *m_window->workspace().project();
+    const QDir media(QString::fromStdString(project.mediaFolder().string()));
+    const QStringList videos = media.entryList({QStringLiteral("*.mkv")});
+    QVERIFY(!videos.isEmpty());
+    QVERIFY(QFile::copy(media.filePath(videos.first()), media.filePath(QStringLiteral("lap_A.mkv"))));
+    QFile notes(media.filePath(QStringLiteral("notes.txt")));
+    QVERIFY(notes.open(QIODevice::WriteOnly) && notes.write("no video") > 0);
+    notes.close();
+    answerStrays([](QDialog &dialog) {
+        const auto &box = static_cast<QMessageBox &>(dialog);
+        QVERIFY2(box.detailedText().contains(QStringLiteral("lap_A.mkv")) && box.detailedText().contains(QStringLiteral("notes.txt")),
+                 qPrintable(box.detailedText()));
+        pressButton(QStringLiteral("Add videos as trials"))(dialog);
+    });
+    QTRY_VERIFY(project.trials().find("recovered: lap").has_value());
+    test::waitFor(*m_window);
+    QVERIFY2(message().startsWith(QStringLiteral("1 trial")), qPrintable(message()));
+    answerStrays(pressButton(QStringLiteral("Remove files")));
+    QTRY_VERIFY(!notes.exists());
+    QVERIFY(media.exists(QStringLiteral("lap_A.mkv")));
 }
 
 QTEST_MAIN(TestTransfer)

@@ -32,6 +32,7 @@ std::span<const CorePattern> health()
         {QT_TRANSLATE_NOOP("CoreWords", "looking for the markers in %1")},
         {QT_TRANSLATE_NOOP("CoreWords", "looking for the markers again")},
         {QT_TRANSLATE_NOOP("CoreWords", "looking for files")},
+        {QT_TRANSLATE_NOOP("CoreWords", "looking through the media folder")},
         {QT_TRANSLATE_NOOP("CoreWords", "computing the intrinsics")},
         {QT_TRANSLATE_NOOP("CoreWords", "keeping the pictures")},
         {QT_TRANSLATE_NOOP("CoreWords", "recording")},

@@ -74,7 +74,7 @@ Result<StillPicture> takeStillPicture(const PictureOrigin &origin, const MarkerL
             control.report(double(looked) / mostPictures, "looking for the markers in " + name);
             problem = lookIn(frame, layout, lens, *picture);
             return problem && picture->markers.size() < layout.markers.size() && ++looked < mostPictures && !control.isCancelled();
-        });
+        }, control.cancel);
         if (!problem)
             return tl::unexpected(problem.error());
         if (!visited && picture->frame.format.width == 0)

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/stray_jobs.h"
+
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/project/stray_media.h"
+#include "core/video/video_input.h"
+
+#include <map>
+#include <set>
+
+namespace odo {
+
+namespace {
+
+constexpr const char *cameraOfUnnamed = "A", *inTheMaking = ".part";
+
+/// A stray video by its name, NAME_CAMERA: the camera is the longest of the project's that fits, else what stands behind the last '_'.
+struct StrayView
+{
+    std::string trial, camera;
+};
+
+StrayView viewOf(const std::filesystem::path &file, const std::vector<CameraRecord> &cameras)
+{
+    const std::string stem = file.stem().string();
+    StrayView view{stem, {}};
+    for (const CameraRecord &camera : cameras) {
+        if (stem.size() > camera.name.size() + 1 && stem.ends_with('_' + camera.name) && camera.name.size() > view.camera.size())
+            view = {stem.substr(0, stem.size() - camera.name.size() - 1), camera.name};
+    }
+    const auto last = stem.rfind('_');
+    if (view.camera.empty() && last != std::string::npos && last > 0 && last + 1 < stem.size())
+        view = {stem.substr(0, last), stem.substr(last + 1)};
+    return view.camera.empty() ? StrayView{stem, cameraOfUnnamed} : view;
+}
+
+std::string freeTrialName(const std::string &name, std::set<std::string> &taken)
+{
+    std::string free = "recovered: " + name;
+    for (int number = 2; !taken.insert(free).second; ++number)
+        free = "recovered: " + name + " (" + std::to_string(number) + ")";
+    return free;
+}
+
+} // namespace
+
+Result<void> FindStraysJob::prepare(Project &project)
+{
+    m_project = project.file();
+    return {};
+}
+
+Result<void> FindStraysJob::run(const JobControl &control)
+{
+    control.report(0, "looking through the media folder");
+    const auto project = Project::openAgain(m_project, Project::Access::ReadOnly);
+    if (!project)
+        return tl::unexpected(project.error());
+    auto strays = strayMedia(**project);
+    if (!strays)
+        return tl::unexpected(strays.error());
+    m_strays = std::move(*strays);
+    for (const std::filesystem::path &file : m_strays) {
+        if (control.isCancelled())
+            return cancelled("look for stray files");
+        const bool isFile = files::kindOfItself(file) == files::Kind::File; // a link leads to what is somebody else's
+        if (isFile && file.extension() != inTheMaking && VideoInput::open(file))
+            m_videos.push_back(file);
+    }
+    return {};
+}
+
+Result<void> AdoptStraysJob::prepare(Project &project)
+{
+    const auto cameras = project.cameras().all();
+    const auto names = project.trials().names();
+    if (!cameras || !names)
+        return tl::unexpected(cameras ? names.error() : cameras.error());
+    std::set<std::string> taken;
+    for (const TrialName &trial : *names)
+        taken.insert(trial.name);
+    std::map<std::string, std::map<std::string, std::filesystem::path>> videos; // of each trial, by camera
+    for (const std::filesystem::path &file : m_videos) {
+        const StrayView view = viewOf(file, *cameras);
+        if (!videos[view.trial].emplace(view.camera, file).second)
+            videos[file.filename().string()].emplace(view.camera, file);
+    }
+    for (const auto &[name, files] : videos) {
+        ImportSettings settings;
+        settings.trial = freeTrialName(name, taken);
+        settings.videos.assign(files.begin(), files.end());
+        auto import = std::make_unique<ImportTrialJob>(std::move(settings));
+        if (auto prepared = import->prepare(project); !prepared)
+            return prepared;
+        m_imports.push_back(std::move(import));
+    }
+    return {};
+}
+
+Result<void> AdoptStraysJob::run(const JobControl &control)
+{
+    for (std::unique_ptr<ImportTrialJob> &import : m_imports) {
+        auto done = import->run(control);
+        if (!done && done.error().code == ErrorCode::Cancelled)
+            return done;
+        if (!done) {
+            m_failures.push_back(done.error());
+            import.reset();
+        }
+    }
+    return {};
+}
+
+Result<void> AdoptStraysJob::commit(Project &project)
+{
+    for (const std::unique_ptr<ImportTrialJob> &import : m_imports) {
+        if (!import)
+            continue;
+        if (auto done = import->commit(project); !done)
+            return done;
+        m_trials.push_back(import->trial().name);
+    }
+    m_imports.clear();
+    return {};
+}
+
+Result<void> RemoveStraysJob::prepare(Project &project)
+{
+    m_project = project.file();
+    return {};
+}
+
+Result<void> RemoveStraysJob::run(const JobControl &control)
+{
+    const auto project = Project::openAgain(m_project, Project::Access::ReadOnly);
+    if (!project)
+        return tl::unexpected(project.error());
+    for (const std::filesystem::path &file : m_strays) {
+        if (control.isCancelled())
+            return cancelled("remove stray files");
+        const auto removed = removeStray(**project, file);
+        if (!removed)
+            return tl::unexpected(removed.error());
+        if (*removed)
+            m_removed.push_back(file);
+    }
+    return {};
+}
+
+} // namespace odo

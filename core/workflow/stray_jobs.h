@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/workflow/import_trial_job.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+/// Finds the files in the media folder that nothing in the project refers to (strayMedia), and which of them are whole videos.
+class FindStraysJob : public Job
+{
+public:
+    Result<void> prepare(Project &project) override;
+    Result<void> run(const JobControl &control) override;
+    Result<void> commit(Project &) override { return {}; }
+
+    const std::vector<std::filesystem::path> &strays() const { return m_strays; } ///< after run: all of them
+    const std::vector<std::filesystem::path> &videos() const { return m_videos; } ///< after run: those that AdoptStraysJob takes
+
+private:
+    std::filesystem::path m_project;
+    std::vector<std::filesystem::path> m_strays, m_videos;
+};
+
+/// Makes trials "recovered: NAME" of stray videos, which stay where they are. Videos whose names differ only in the camera, as recordings and imports
+/// are called (NAME_CAMERA), become the views of one trial.
+class AdoptStraysJob : public Job
+{
+public:
+    explicit AdoptStraysJob(std::vector<std::filesystem::path> videos) : m_videos(std::move(videos)) {}
+    Result<void> prepare(Project &project) override;
+    Result<void> run(const JobControl &control) override;
+    Result<void> commit(Project &project) override;
+
+    const std::vector<std::string> &trials() const { return m_trials; } ///< after commit
+    /// After run: why videos were left, one a trial that could not be made.
+    const std::vector<Error> &failures() const { return m_failures; }
+
+private:
+    const std::vector<std::filesystem::path> m_videos;
+    std::vector<std::unique_ptr<ImportTrialJob>> m_imports;
+    std::vector<std::string> m_trials;
+    std::vector<Error> m_failures;
+};
+
+/// Removes stray files. What has become a trial's meanwhile, or is being written, stays.
+class RemoveStraysJob : public Job
+{
+public:
+    explicit RemoveStraysJob(std::vector<std::filesystem::path> strays) : m_strays(std::move(strays)) {}
+    Result<void> prepare(Project &project) override;
+    Result<void> run(const JobControl &control) override;
+    Result<void> commit(Project &) override { return {}; }
+
+    const std::vector<std::filesystem::path> &removed() const { return m_removed; } ///< after run
+
+private:
+    const std::vector<std::filesystem::path> m_strays;
+    std::filesystem::path m_project;
+    std::vector<std::filesystem::path> m_removed;
+};
+
+} // namespace odo

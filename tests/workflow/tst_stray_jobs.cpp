@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/claimed_file.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/project/stray_media.h"
+#include "core/workflow/calibration_media.h"
+#include "core/workflow/stray_jobs.h"
+#include "tests/video/coded_frames.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <fstream>
+
+using namespace odo;
+using namespace odo::test;
+
+class TestStrayJobs : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase()
+    {
+        m_videos = std::make_unique<QTemporaryDir>();
+        QCOMPARE(writeCoded(video(), evenTimes(30, 30), {}), QString());
+    }
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_project = std::move(*Project::create(path("p.odo"), "Strays"));
+    }
+    void cleanup() { m_project.reset(); }
+
+    void whatBelongsToTheProjectIsNoStray()
+    {
+        QVERIFY(strayMedia(*m_project)->empty()); // without a media folder
+        import("run", "A");
+        CalibrationMedia media(m_project->mediaFolder());
+        RegistrationRecord registration;
+        registration.picture = *media.write("A_floor", {1, 2, 3});
+        QVERIFY(m_project->check(false)->empty()); // whoever made it holds it still
+        media.keep();
+        QCOMPARE(strayMedia(*m_project)->size(), std::size_t(1)); // nothing refers to it yet
+        std::ofstream(path("p.media/recording.lock"));
+        const auto problems = m_project->check(false).value();
+        QCOMPARE(problems.size(), std::size_t(1));
+        QCOMPARE(problems[0].what, std::string("no trial, lens calibration or floor registration uses this file"));
+        QCOMPARE(problems[0].where, path("p.media/calibration/A_floor.png").string());
+        QVERIFY(problems[0].advice.find("--adopt") != std::string::npos);
+    }
+
+    void videosBecomeTrials()
+    {
+        QVERIFY(m_project->cameras().add({0, "left_1", ""}));
+        import("run", "A");
+        for (const char *name : {"lap_A.mkv", "lap_B.mkv", "turn_left_1.mkv", "single.mkv"})
+            copyHere(name);
+        std::ofstream(path("p.media/.new-abcdef.part"), std::ios::binary) << std::ifstream(video(), std::ios::binary).rdbuf();
+        std::ofstream(path("p.media/notes.txt")) << "no video";
+        std::filesystem::create_symlink(video(), path("p.media/link.mkv"));
+        const auto found = find();
+        QCOMPARE(found->strays().size(), std::size_t(7));
+        QCOMPARE(found->videos().size(), std::size_t(4));
+        AdoptStraysJob adopt(found->videos());
+        const auto done = runToEnd(adopt, *m_project, {});
+        QVERIFY2(done, done ? "" : done.error().message().c_str());
+        QVERIFY(adopt.failures().empty());
+        QCOMPARE(adopt.trials(), (std::vector<std::string>{"recovered: lap", "recovered: single", "recovered: turn"}));
+        const auto views = m_project->trials().recordings(m_project->trials().find("recovered: lap")->id).value();
+        QCOMPARE(views.size(), std::size_t(2));
+        QCOMPARE(views[0].path, std::string("p.media/lap_A.mkv")); // where it was
+        QCOMPARE(views[1].cameraName, std::string("B"));
+        QCOMPARE(m_project->trials().recordings(m_project->trials().find("recovered: turn")->id)->front().cameraName, std::string("left_1"));
+        QCOMPARE(find()->strays().size(), std::size_t(3));
+        // A name that is taken gets a number.
+        copyHere("lap_C.mkv");
+        AdoptStraysJob again(find()->videos());
+        QVERIFY(runToEnd(again, *m_project, {}));
+        QCOMPARE(again.trials(), std::vector<std::string>{"recovered: lap (2)"});
+    }
+
+    void onlyStrayFilesAreRemoved()
+    {
+        import("run", "A");
+        for (const char *name : {"lap_A.mkv", "used.mkv", "written.mkv"})
+            copyHere(name);
+        std::filesystem::create_symlink(video(), path("p.media/link.mkv"));
+        const auto found = find();
+        QCOMPARE(found->strays().size(), std::size_t(4));
+        AdoptStraysJob adopt({path("p.media/used.mkv")}); // meanwhile
+        QVERIFY(runToEnd(adopt, *m_project, {}));
+        const auto held = ClaimedFile::hold(path("p.media/written.mkv")); // by an import that has not ended
+        RemoveStraysJob remove(found->strays());
+        const auto done = runToEnd(remove, *m_project, {});
+        QVERIFY2(done, done ? "" : done.error().message().c_str());
+        QCOMPARE(remove.removed(), (std::vector<std::filesystem::path>{path("p.media/lap_A.mkv"), path("p.media/link.mkv")}));
+        for (const char *name : {"run_A.mkv", "used.mkv", "written.mkv"})
+            QVERIFY2(std::filesystem::exists(path("p.media") / name), name);
+        QVERIFY(std::filesystem::exists(video()));
+    }
+
+    /// What is claimed by a living program is not stray.
+    void whatIsBeingWrittenIsNotNamed()
+    {
+        std::filesystem::create_directories(path("p.media"));
+        const auto claimed = ClaimedFile::create(path("p.media"), "run_A", ".mkv"), begun = ClaimedFile::begin(path("p.media"));
+        QVERIFY(claimed && begun);
+        QVERIFY(strayMedia(*m_project)->empty());
+        QVERIFY(!removeStray(*m_project, claimed->path()).value());
+        QVERIFY(std::filesystem::exists(claimed->path()));
+    }
+
+    void cancelledItAddsNothing()
+    {
+        std::filesystem::create_directories(path("p.media"));
+        copyHere("lap_A.mkv");
+        JobControl control;
+        control.cancel.cancel();
+        AdoptStraysJob adopt({path("p.media/lap_A.mkv")});
+        const auto done = runToEnd(adopt, *m_project, control);
+        QVERIFY(!done && done.error().code == ErrorCode::Cancelled);
+        QVERIFY(m_project->trials().all()->empty());
+        QVERIFY(std::filesystem::exists(path("p.media/lap_A.mkv")));
+    }
+
+private:
+    std::filesystem::path path(const std::string &name) const { return std::filesystem::path(m_folder->path().toStdString()) / name; }
+    std::filesystem::path video() const { return m_videos->filePath(QStringLiteral("v.mkv")).toStdString(); }
+    void copyHere(const char *name) const { std::filesystem::copy_file(video(), path("p.media") / name); }
+    void import(const std::string &trial, const std::string &camera)
+    {
+        ImportSettings settings;
+        settings.trial = trial;
+        settings.videos = {{camera, video()}};
+        ImportTrialJob job(std::move(settings));
+        const auto done = runToEnd(job, *m_project, {});
+        QVERIFY2(done, done ? "" : done.error().message().c_str());
+    }
+    std::unique_ptr<FindStraysJob> find()
+    {
+        auto job = std::make_unique<FindStraysJob>();
+        const auto done = runToEnd(*job, *m_project, {});
+        if (!done)
+            qWarning("%s", done.error().message().c_str());
+        return job;
+    }
+
+    std::unique_ptr<QTemporaryDir> m_videos, m_folder;
+    std::unique_ptr<Project> m_project;
+};
+
+QTEST_GUILESS_MAIN(TestStrayJobs)
+#include "tst_stray_jobs.moc"
