@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/error.h"
+
 #include <QApplication>
 
 namespace odo {
@@ -21,5 +23,9 @@ private:
 /// Before an application is made: settings of the environment by which Qt ends the program or shows nothing, because they are no
 /// numbers or beyond all sense, are dropped.
 void dropSenselessScales();
+
+/// Once there is an application that paints: Qt paints on threads of its pool, and waits for ever where one of them is not to be had. They
+/// are started now, and stay. Unavailable where they are not to be had.
+Result<void> keepPaintersReady();
 
 } // namespace odo

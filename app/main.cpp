@@ -97,9 +97,7 @@ void keepNumbersPlain() { std::setlocale(LC_NUMERIC, "C"); }
 /// Standard error belongs to our one line; Qt's remarks on platform plugins are for nobody there.
 void dropRemarks(QtMsgType type, const QMessageLogContext &, const QString &message)
 {
-    if (type == QtFatalMsg && shortageNowOfSystem())
-        return; // which the end of the program tells
-    if (type == QtCriticalMsg || type == QtFatalMsg)
+    if ((type == QtCriticalMsg || type == QtFatalMsg) && !shortageNowOfSystem()) // which we tell ourselves
         std::fprintf(stderr, "odograph: %s\n", plainLine(message.toStdString()).c_str());
 }
 
@@ -119,6 +117,7 @@ int runCommand(const NamedCommand &command, int argc, char **argv)
     qInstallMessageHandler(dropRemarks);
     std::signal(SIGINT, onInterrupt);
     std::signal(SIGTERM, onInterrupt);
+    qputenv("QT_NO_GLIB", "1"); // which would write of its own where files run out
     std::unique_ptr<QCoreApplication> application;
     const auto says = [&](const char *word) {
         return std::any_of(argv, argv + argc, [word](const char *a) { return std::strcmp(a, word) == 0; });
@@ -136,6 +135,9 @@ int runCommand(const NamedCommand &command, int argc, char **argv)
     }
     QCoreApplication::setApplicationName(QStringLiteral("odograph"));
     keepNumbersPlain();
+    if (paints || opensWindow)
+        if (auto ready = keepPaintersReady(); !ready)
+            return report(ready);
     const Result<void> done = orShortage(command.name, [&] {
         return command.run(QCoreApplication::arguments().mid(2), cancelToken);
     });
@@ -148,6 +150,8 @@ int openWorkbench(int argc, char **argv)
     QCoreApplication::setOrganizationName(QStringLiteral("odograph")); // its settings lie in a folder of that name
     QCoreApplication::setApplicationName(QStringLiteral("odograph"));
     keepNumbersPlain();
+    if (auto ready = keepPaintersReady(); !ready)
+        return report(ready);
     QStringList arguments = QCoreApplication::arguments().mid(1);
     const bool hasTerminal = arguments.removeAll(QLatin1String(windowOption)) == 0;
     const auto project = arguments.isEmpty() ? std::nullopt : std::optional<std::filesystem::path>(arguments.first().toStdString());
