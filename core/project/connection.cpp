@@ -8,7 +8,6 @@
 #include <QSqlDriver>
 #include <QSqlError>
 #include <QUrl>
-#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <limits>
@@ -316,8 +315,7 @@ int Statement::smallInteger(int column) const
 
 double Statement::real(int column) const
 {
-    const double value = m_query.value(column).toDouble();
-    return std::isnan(value) ? 0 : std::clamp(value, -largestNumber, largestNumber);
+    return bounded(m_query.value(column).toDouble());
 }
 
 std::optional<double> Statement::optionalReal(int column) const

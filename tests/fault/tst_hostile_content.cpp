@@ -155,7 +155,7 @@ private Q_SLOTS:
         QTest::newRow("name of nothing") << QStringList{u"robot"_s, u"add"_s, u"%P"_s, u"\u200b"_s, u"--colour"_s, u"#d72328"_s} << QByteArray("U+200B");
         QTest::newRow("an escape") << QStringList{u"robot"_s, u"add"_s, u"%P"_s, u"\u001b[2J"_s, u"--colour"_s, u"#d72328"_s} << QByteArray("control character");
         QTest::newRow("long path") << QStringList{u"list"_s, QString(5000, u'A') + u".odo"_s} << QByteArray("File name too long");
-        QTest::newRow("long project") << QStringList{u"new"_s, QString(300, u'A') + u".odo"_s} << QByteArray("name too long");
+        QTest::newRow("long project") << QStringList{u"new"_s, QString(300, u'A') + u".odo"_s} << QByteArray("its name");
         QTest::newRow("a loop of links") << QStringList{u"list"_s, u"%/loop.odo"_s} << QByteArray("Too many levels of symbolic links");
     }
     void whatIsTooMuchIsRefused()

@@ -44,7 +44,7 @@ private Q_SLOTS:
         QCOMPARE(team->members.front(), composed);
         QCOMPARE(m_project->teams().find("Falcon")->className, composed);
         QVERIFY(m_project->trials().setTags(1, {decomposed, composed, "a "}));
-        QCOMPARE(m_project->trials().get(1)->tags, (std::vector<std::string>{"a", composed}));
+        QCOMPARE(m_project->trials().get(1)->tags, (std::vector<std::string>{composed, "a"}));
         QVERIFY(m_project->trials().setTask(1, decomposed) && m_project->trials().setTask(1, composed));
         QCOMPARE(m_project->tasks().all()->size(), std::size_t(1));
     }
