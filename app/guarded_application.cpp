@@ -62,7 +62,7 @@ void dropSenselessScales()
         qunsetenv("QT_FONT_DPI");
 }
 
-Result<void> keepPaintersReady()
+void keepPaintersReady()
 {
     using namespace std::chrono_literals;
     QThreadPool &pool = *QThreadPool::globalInstance();
@@ -80,7 +80,8 @@ Result<void> keepPaintersReady()
         });
     const bool areHere = meeting->here.tryAcquire(painters, std::chrono::milliseconds(5s).count());
     meeting->all.release(painters);
-    return areHere ? Result<void>() : tl::unexpected(noThread(cannotDoThis));
+    if (!areHere)
+        endForShortage("this computer gives no further thread");
 }
 
 } // namespace odo

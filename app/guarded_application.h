@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/error.h"
-
 #include <QApplication>
 
 namespace odo {
@@ -25,7 +23,7 @@ private:
 void dropSenselessScales();
 
 /// Once there is an application that paints: Qt paints on threads of its pool, and waits for ever where one of them is not to be had. They
-/// are started now, and stay. Unavailable where they are not to be had.
-Result<void> keepPaintersReady();
+/// are started now, and stay. Ends the program (endForShortage) where they are not to be had: Qt would wait for them in ending, too.
+void keepPaintersReady();
 
 } // namespace odo

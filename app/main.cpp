@@ -136,8 +136,7 @@ int runCommand(const NamedCommand &command, int argc, char **argv)
     QCoreApplication::setApplicationName(QStringLiteral("odograph"));
     keepNumbersPlain();
     if (paints || opensWindow)
-        if (auto ready = keepPaintersReady(); !ready)
-            return report(ready);
+        keepPaintersReady();
     const Result<void> done = orShortage(command.name, [&] {
         return command.run(QCoreApplication::arguments().mid(2), cancelToken);
     });
@@ -150,8 +149,7 @@ int openWorkbench(int argc, char **argv)
     QCoreApplication::setOrganizationName(QStringLiteral("odograph")); // its settings lie in a folder of that name
     QCoreApplication::setApplicationName(QStringLiteral("odograph"));
     keepNumbersPlain();
-    if (auto ready = keepPaintersReady(); !ready)
-        return report(ready);
+    keepPaintersReady();
     QStringList arguments = QCoreApplication::arguments().mid(1);
     const bool hasTerminal = arguments.removeAll(QLatin1String(windowOption)) == 0;
     const auto project = arguments.isEmpty() ? std::nullopt : std::optional<std::filesystem::path>(arguments.first().toStdString());
