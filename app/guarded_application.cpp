@@ -6,8 +6,12 @@
 #include "ui/models/error_words.h"
 
 #include <QMessageBox>
+#include <QSemaphore>
+#include <QThreadPool>
 #include <QTimer>
 #include <algorithm>
+#include <chrono>
+#include <memory>
 
 namespace odo {
 
@@ -56,6 +60,28 @@ void dropSenselessScales()
     const int dpi = qgetenv("QT_FONT_DPI").toInt(&isNumber);
     if (qEnvironmentVariableIsSet("QT_FONT_DPI") && (!isNumber || dpi < 24 || dpi > 800))
         qunsetenv("QT_FONT_DPI");
+}
+
+void keepPaintersReady()
+{
+    using namespace std::chrono_literals;
+    QThreadPool &pool = *QThreadPool::globalInstance();
+    pool.setExpiryTimeout(-1);
+    struct Meeting
+    {
+        QSemaphore here, all;
+    };
+    const auto meeting = std::make_shared<Meeting>(); // of a thread that comes too late as well
+    const int painters = pool.maxThreadCount();
+    for (int i = 0; i < painters; ++i)
+        pool.start([meeting] {
+            meeting->here.release();
+            meeting->all.acquire();
+        });
+    const bool areHere = meeting->here.tryAcquire(painters, std::chrono::milliseconds(5s).count());
+    meeting->all.release(painters);
+    if (!areHere)
+        endForShortage("this computer gives no further thread");
 }
 
 } // namespace odo

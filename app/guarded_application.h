@@ -22,4 +22,8 @@ private:
 /// numbers or beyond all sense, are dropped.
 void dropSenselessScales();
 
+/// Once there is an application that paints: Qt paints on threads of its pool, and waits for ever where one of them is not to be had. They
+/// are started now, and stay. Ends the program (endForShortage) where they are not to be had: Qt would wait for them in ending, too.
+void keepPaintersReady();
+
 } // namespace odo

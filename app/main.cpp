@@ -93,9 +93,7 @@ void keepNumbersPlain() { std::setlocale(LC_NUMERIC, "C"); }
 /// Standard error belongs to our one line; Qt's remarks on platform plugins are for nobody there.
 void dropRemarks(QtMsgType type, const QMessageLogContext &, const QString &message)
 {
-    if (type == QtFatalMsg && shortageNowOfSystem())
-        return; // which the end of the program tells
-    if (type == QtCriticalMsg || type == QtFatalMsg)
+    if ((type == QtCriticalMsg || type == QtFatalMsg) && !shortageNowOfSystem()) // which we tell ourselves
         std::fprintf(stderr, "odograph: %s\n", plainLine(message.toStdString()).c_str());
 }
 
@@ -114,6 +112,7 @@ int runCommand(const NamedCommand &command, int argc, char **argv)
 {
     qInstallMessageHandler(dropRemarks);
     watchStopSignals();
+    qputenv("QT_NO_GLIB", "1"); // which would write of its own where files run out
     std::unique_ptr<QCoreApplication> application;
     const auto says = [&](const char *word) {
         return std::any_of(argv, argv + argc, [word](const char *a) { return std::strcmp(a, word) == 0; });
@@ -131,6 +130,8 @@ int runCommand(const NamedCommand &command, int argc, char **argv)
     }
     QCoreApplication::setApplicationName(QStringLiteral("odograph"));
     keepNumbersPlain();
+    if (paints || opensWindow)
+        keepPaintersReady();
     const Result<void> done = orShortage(command.name, [&] {
         return command.run(QCoreApplication::arguments().mid(2), stopToken());
     });
@@ -144,6 +145,7 @@ int openWorkbench(int argc, char **argv)
     QCoreApplication::setApplicationName(QStringLiteral("odograph"));
     keepNumbersPlain();
     watchStopSignals();
+    keepPaintersReady();
     QStringList arguments = QCoreApplication::arguments().mid(1);
     const bool hasTerminal = arguments.removeAll(QLatin1String(windowOption)) == 0;
     const auto project = arguments.isEmpty() ? std::nullopt : std::optional<std::filesystem::path>(arguments.first().toStdString());

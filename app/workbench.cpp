@@ -17,6 +17,8 @@
 #include <QBuffer>
 #include <QFileInfo>
 #include <QImage>
+#include <QImageWriter>
+#include <new>
 
 namespace odo {
 
@@ -62,9 +64,12 @@ Result<void> paintWorkbench(const std::filesystem::path &project, const std::str
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
-    if (!painted.save(&buffer, QFileInfo(QString::fromStdString(picture.string())).suffix().toLatin1().constData()))
+    const QByteArray format = QFileInfo(QString::fromStdString(picture.string())).suffix().toLatin1().toLower();
+    if (!QImageWriter::supportedImageFormats().contains(format))
         return fail(ErrorCode::InvalidInput, what, "its format is not known",
                     "give it a name that ends in .png or .jpg");
+    if (!painted.save(&buffer, format.constData())) // which nothing else keeps it from
+        throw std::bad_alloc();
     return writeTextFile(picture, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 

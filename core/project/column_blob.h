@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/project/limits.h"
 
 #include <QByteArray>
 #include <cstdint>
@@ -56,6 +57,7 @@ public:
 
     std::size_t rows() const { return m_rows; }
 
+    /// Real numbers as bounded() gives them.
     template <class Value>
     Value take()
     {
@@ -64,7 +66,10 @@ public:
         takeLittleEndian(bytes, sizeof(Value));
         Value value;
         std::memcpy(&value, bytes, sizeof value);
-        return value;
+        if constexpr (std::is_floating_point_v<Value>)
+            return bounded(value);
+        else
+            return value;
     }
 
 private:

@@ -10,7 +10,6 @@
 #include <QSqlError>
 #include <QSqlResult>
 #include <QUrl>
-#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <limits>
@@ -438,8 +437,7 @@ int Statement::smallInteger(int column) const
 
 double Statement::real(int column) const
 {
-    const double value = m_query.value(column).toDouble();
-    return std::isnan(value) ? 0 : std::clamp(value, -largestNumber, largestNumber);
+    return bounded(m_query.value(column).toDouble());
 }
 
 std::optional<double> Statement::optionalReal(int column) const

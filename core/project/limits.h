@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 namespace odo {
@@ -12,6 +13,11 @@ namespace odo {
 constexpr int maxNameLength = 200, maxTextLength = 20'000;
 /// No quantity of ours is larger.
 constexpr double largestNumber = 1e12;
+/// A stored number as it is read; 0 for what is no number, which only another program can have written.
+constexpr double bounded(double value)
+{
+    return value >= -largestNumber ? std::min(value, largestNumber) : value < 0 ? -largestNumber : 0;
+}
 constexpr std::size_t mostViews = 16, mostRobots = 32, mostTags = 50; ///< of a trial
 constexpr std::size_t mostMarkers = 1000;                             ///< of a layout
 constexpr int largestRobotM = 10;

@@ -3,6 +3,7 @@
 
 #include "core/base/file_system.h"
 #include "core/project/connection.h"
+#include "core/project/limit_check.h"
 #include "core/project/recording_lock.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
@@ -172,6 +173,8 @@ Result<std::vector<ProjectProblem>> checkProject(Project &project, ProjectConnec
     Problems problems;
     if (auto checked = checkDatabase(connection, problems); !checked)
         problems.push_back({checked.error().why, connection.file().filename().string(), restoreAdvice});
+    if (const auto beyond = beyondLimits(connection))
+        problems.insert(problems.end(), beyond->begin(), beyond->end());
     const auto robots = project.robots().all();
     const auto tasks = checkStoredTasks(connection);
     const auto trials = project.trials().all();

@@ -21,6 +21,11 @@ class TestHostileContent : public QObject
     QTemporaryDir m_folder;
     QString m_sound;
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    static constexpr bool isSanitized = true; // they map terabytes
+#else
+    static constexpr bool isSanitized = false;
+#endif
     static bool isAll() { return qEnvironmentVariableIsSet("ODOGRAPH_ALL_FAULTS"); }
     QString path(const QString &name) const { return m_folder.filePath(name); }
 
@@ -47,8 +52,9 @@ class TestHostileContent : public QObject
     }
 
     /// What is wrong with how a call ended; empty when nothing is.
-    static QString problemOf(const ProgramRun &run)
+    static QString problemOf(ProgramRun run)
     {
+        run.err.replace("libpng error: insufficient memory\n", ""); // which it writes by itself
         if (run.exitStatus != 0 && run.exitStatus != 1)
             return u"exit status %1, "_s.arg(run.exitStatus) + QString::fromUtf8(run.err.left(300));
         if (run.exitStatus == 1 && (run.err.count('\n') != 1 || !run.err.startsWith("odograph: ") || run.err.size() > 1500 || run.err.contains("nknown error")))
@@ -133,7 +139,7 @@ private Q_SLOTS:
         for (const QStringList &call : calls(changed(sql))) {
             QElapsedTimer clock;
             clock.start();
-            const ProgramRun run = limited(u"ulimit -v 1500000"_s, call); // of addresses; what is used is less than half
+            const ProgramRun run = limited(isSanitized ? QString() : u"ulimit -v 1500000"_s, call); // of addresses; what is used is less than half
             const QString problem = problemOf(run);
             QVERIFY2(problem.isEmpty(), qPrintable(call.join(u' ') + u": "_s + problem));
             QVERIFY2(clock.elapsed() < longestMs, qPrintable(call.join(u' ') + u": %1 ms"_s.arg(clock.elapsed())));
@@ -155,7 +161,7 @@ private Q_SLOTS:
         QTest::newRow("name of nothing") << QStringList{u"robot"_s, u"add"_s, u"%P"_s, u"\u200b"_s, u"--colour"_s, u"#d72328"_s} << QByteArray("U+200B");
         QTest::newRow("an escape") << QStringList{u"robot"_s, u"add"_s, u"%P"_s, u"\u001b[2J"_s, u"--colour"_s, u"#d72328"_s} << QByteArray("control character");
         QTest::newRow("long path") << QStringList{u"list"_s, QString(5000, u'A') + u".odo"_s} << QByteArray("File name too long");
-        QTest::newRow("long project") << QStringList{u"new"_s, QString(300, u'A') + u".odo"_s} << QByteArray("name too long");
+        QTest::newRow("long project") << QStringList{u"new"_s, QString(300, u'A') + u".odo"_s} << QByteArray("its name");
         QTest::newRow("a loop of links") << QStringList{u"list"_s, u"%/loop.odo"_s} << QByteArray("Too many levels of symbolic links");
     }
     void whatIsTooMuchIsRefused()
@@ -193,6 +199,8 @@ private Q_SLOTS:
     /// Megabytes of addresses, in steps of 20 or of 160.
     void littleMemory()
     {
+        if (isSanitized)
+            QSKIP("not under a sanitizer");
         const int step = isAll() ? 20 : 160;
         for (const QStringList &call : calls(m_sound)) {
             for (int megabytes = 100; megabytes <= 900; megabytes += step) {

@@ -44,7 +44,7 @@ private Q_SLOTS:
         QCOMPARE(team->members.front(), composed);
         QCOMPARE(m_project->teams().find("Falcon")->className, composed);
         QVERIFY(m_project->trials().setTags(1, {decomposed, composed, "a "}));
-        QCOMPARE(m_project->trials().get(1)->tags, (std::vector<std::string>{"a", composed}));
+        QCOMPARE(m_project->trials().get(1)->tags, (std::vector<std::string>{composed, "a"}));
         QVERIFY(m_project->trials().setTask(1, decomposed) && m_project->trials().setTask(1, composed));
         QCOMPARE(m_project->tasks().all()->size(), std::size_t(1));
     }
@@ -157,6 +157,19 @@ private Q_SLOTS:
         const auto problems = m_project->check(false);
         QCOMPARE(problems->size(), std::size_t(1));
         QCOMPARE(problems->front().what, std::string("task 'bad': gate 'start': its ends are not on a floor of 1 km"));
+    }
+
+    void checkNamesWhatIsBeyondLimits()
+    {
+        QVERIFY(m_project->check(false)->empty());
+        run("UPDATE robot SET name=hex(zeroblob(2500000)), height_m=-1e300");
+        run("UPDATE marker SET x_m=1e300");
+        run("WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 51) INSERT INTO trial_tag SELECT 1, 'tag' || i FROM n");
+        std::vector<std::string> found;
+        for (const ProjectProblem &problem : *m_project->check(false))
+            found.push_back(problem.what);
+        QCOMPARE(found, (std::vector<std::string>{"robot.name: texts of more than 200 characters: 1", "marker.x_m: numbers beyond 1000: 4",
+                                                  "robot.height_m: numbers beyond 10: 1", "trial_tag: more than 50 of one trial: 51"}));
     }
 
 private:

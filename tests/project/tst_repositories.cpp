@@ -161,7 +161,7 @@ private Q_SLOTS:
     void robotsRoundTrip()
     {
         using Height = RobotRecord::Height;
-        const RobotRecord wanted[] = {{0, "red", {1, 2, 255}, Height::Told, m_source.positive(), 0.26, 0.19, DrawingColour::SkyBlue},
+        const RobotRecord wanted[] = {{0, "red", {1, 2, 255}, Height::Told, m_source.positive() / 200, 0.26, 0.19, DrawingColour::SkyBlue},
                                       {0, "blau", {0, 0, 0}, Height::Automatic, {}, {}, {}},
                                       {0, "機器人", {9, 9, 9}, Height::Free, {}, 0.3, {}}};
         for (const RobotRecord &robot : wanted)

@@ -35,6 +35,7 @@ private Q_SLOTS:
     void renamedAndThroughALink();
     void theProjectStaysAsItWas();
     void whatIsLostIsNamed();
+    void aPathThatNoFileCanHaveIsLost();
     void aVideoElsewhereThatIsAnotherFileIsLeftOut_data();
     void aVideoElsewhereThatIsAnotherFileIsLeftOut();
     void aLinkOutOfTheMediaFolderIsLeftOut();
@@ -165,6 +166,23 @@ void TestPackJob::whatIsLostIsNamed()
     QCOMPARE(job.warnings(),
              std::vector<std::string>{
                  "the video of camera A in trial 'run' is lost, and not in the packed project"});
+}
+
+/// The system refuses to look at it, which is no reason to end the program.
+void TestPackJob::aPathThatNoFileCanHaveIsLost()
+{
+    const auto recordings = m_project->trials().recordings(m_project->trials().find("run")->id).value();
+    QVERIFY(m_project->trials().setFile(recordings[1].id, "/" + std::string(6000, 'A')));
+    PackJob job(file("lesson.zip"));
+    QVERIFY(runToEnd(job, *m_project, {}));
+    QCOMPARE(job.warnings().size(), std::size_t(1));
+    RelinkJob relink(file("elsewhere"));
+    QVERIFY(runToEnd(relink, *m_project, {}));
+    QCOMPARE(relink.lostCount(), std::size_t(1));
+    RelinkJob nowhere("/" + std::string(6000, 'A'));
+    QCOMPARE(runToEnd(nowhere, *m_project, {}).error().code, ErrorCode::NotFound); // nothing is lost any more
+    QVERIFY(m_project->trials().setFile(recordings[1].id, "/nowhere"));
+    QCOMPARE(runToEnd(nowhere, *m_project, {}).error().why, std::string("File name too long"));
 }
 
 void TestPackJob::aVideoElsewhereThatIsAnotherFileIsLeftOut_data()

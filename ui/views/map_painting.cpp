@@ -75,11 +75,12 @@ void drawMapGrid(QPainter &painter, const MapPlan &plan, const QPalette &palette
     if (overPicture)
         line.setAlpha(60);
     painter.setPen(QPen(line, 1));
-    const double scale = plan.scalePx();
+    constexpr double leastApartPx = 4;
+    const double apart = step * plan.scalePx();
     const QPointF origin = plan.fromWorld({0, 0});
-    for (double x = std::fmod(origin.x(), step * scale); x < plan.size.width(); x += step * scale)
+    for (double x = std::fmod(origin.x(), apart); apart >= leastApartPx && x < plan.size.width(); x += apart)
         painter.drawLine(QPointF(x, 0), QPointF(x, plan.size.height()));
-    for (double y = std::fmod(origin.y(), step * scale); y < plan.size.height(); y += step * scale)
+    for (double y = std::fmod(origin.y(), apart); apart >= leastApartPx && y < plan.size.height(); y += apart)
         painter.drawLine(QPointF(0, y), QPointF(plan.size.width(), y));
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(colours.muted);

@@ -93,12 +93,13 @@ void paintFloorGrid(QPainter &painter, const TrialScene &scene, const FloorView 
     constexpr int mostLines = 8;
     QPainterPath lines;
     const double step = niceTicks(0, box.sizes().maxCoeff(), mostLines).step;
-    for (double x = box.min().x(); x < box.max().x() + step / 2; x += step) {
-        const double inside = std::min(x, box.max().x());
+    const auto linesAlong = [&](int axis) { return static_cast<int>(std::ceil(box.sizes()[axis] / step + 0.5)); };
+    for (int i = 0; i < linesAlong(0); ++i) {
+        const double inside = std::min(box.min().x() + i * step, box.max().x());
         lines.addPath(floorLine(view, {inside, box.min().y()}, {inside, box.max().y()}, map));
     }
-    for (double y = box.min().y(); y < box.max().y() + step / 2; y += step) {
-        const double inside = std::min(y, box.max().y());
+    for (int i = 0; i < linesAlong(1); ++i) {
+        const double inside = std::min(box.min().y() + i * step, box.max().y());
         lines.addPath(floorLine(view, {box.min().x(), inside}, {box.max().x(), inside}, map));
     }
     painter.strokePath(lines, QPen(QColor(255, 255, 255, 70), 1));

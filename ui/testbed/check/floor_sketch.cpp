@@ -91,9 +91,9 @@ void FloorSketch::paintGrid(QPainter &painter) const
     painter.setPen(QPen(ThemeColours::of(palette()).mapGrid, 1));
     const double left = -m_origin.x() / m_pixelsPerMetre, right = (width() - m_origin.x()) / m_pixelsPerMetre;
     const double bottom = (m_origin.y() - height()) / m_pixelsPerMetre, top = m_origin.y() / m_pixelsPerMetre;
-    for (double x = std::ceil(left / floorGridM) * floorGridM; x <= right; x += floorGridM)
+    for (const double x : floorGridLines(left, right))
         painter.drawLine(QPointF(fromWorld({x, 0}).x(), 0), QPointF(fromWorld({x, 0}).x(), height()));
-    for (double y = std::ceil(bottom / floorGridM) * floorGridM; y <= top; y += floorGridM)
+    for (const double y : floorGridLines(bottom, top))
         painter.drawLine(QPointF(0, fromWorld({0, y}).y()), QPointF(width(), fromWorld({0, y}).y()));
 }
 

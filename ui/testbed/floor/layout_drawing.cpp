@@ -65,11 +65,10 @@ void LayoutDrawing::paintEvent(QPaintEvent *)
     painter.fillRect(rect(), colours.mapGround);
     painter.setPen(colours.mapGrid);
     const Eigen::Vector2d lower = toWorld({0, double(height())}), upper = toWorld({double(width()), 0});
-    // Of a layout in a wrong unit the grid would be all there is to see.
-    const double step = floorGridM * m_pixelsPerMetre < 4 ? 0 : floorGridM;
-    for (double x = step > 0 ? step * std::ceil(lower.x() / step) : upper.x() + 1; x <= upper.x(); x += step)
+    const std::vector<double> columns = floorGridLines(lower.x(), upper.x());
+    for (const double x : columns)
         painter.drawLine(QPointF(toScreen({x, 0}).x(), 0), QPointF(toScreen({x, 0}).x(), height()));
-    for (double y = step > 0 ? step * std::ceil(lower.y() / step) : upper.y() + 1; y <= upper.y(); y += step)
+    for (const double y : columns.empty() ? std::vector<double>() : floorGridLines(lower.y(), upper.y()))
         painter.drawLine(QPointF(0, toScreen({0, y}).y()), QPointF(width(), toScreen({0, y}).y()));
     const QPointF origin = toScreen({0, 0});
     const double axis = 46;
@@ -91,7 +90,7 @@ void LayoutDrawing::paintEvent(QPaintEvent *)
     }
     painter.setPen(colours.muted);
     painter.drawText(rect().adjusted(8, 6, -8, -6), Qt::AlignRight | Qt::AlignBottom,
-                     step > 0 ? tr("grid %1 m").arg(QLocale().toString(floorGridM)) : QString());
+                     !columns.empty() ? tr("grid %1 m").arg(QLocale().toString(floorGridM)) : QString());
 }
 
 void LayoutDrawing::mousePressEvent(QMouseEvent *event)

@@ -154,9 +154,9 @@ void MarkerCanvas::paintFloor(QPainter &painter) const
         painter.setPen(pen);
         painter.drawPolyline(points);
     };
-    for (double x = floorGridM * std::ceil(lower.x() / floorGridM); x <= upper.x() + 1e-9; x += floorGridM)
+    for (const double x : floorGridLines(lower.x(), upper.x()))
         line({x, lower.y()}, {x, upper.y()}, QPen(gridColour, 1));
-    for (double y = floorGridM * std::ceil(lower.y() / floorGridM); y <= upper.y() + 1e-9; y += floorGridM)
+    for (const double y : floorGridLines(lower.y(), upper.y()))
         line({lower.x(), y}, {upper.x(), y}, QPen(gridColour, 1));
     const double reach = 0.35 * (upper - lower).maxCoeff();
     for (const auto &[axis, name] : {std::pair(Eigen::Vector2d(reach, 0), QStringLiteral("X")), std::pair(Eigen::Vector2d(0, reach), QStringLiteral("Y"))}) {

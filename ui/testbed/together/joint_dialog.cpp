@@ -124,11 +124,11 @@ void JointDialog::show(const std::optional<Error> &error)
     if (error) {
         m_cameras->setRowCount(0);
         m_markers->setRowCount(0);
-        m_verdict->setText(shownWords(error->why));
-        m_advice->setText(shownWords(error->advice));
+        m_verdict->setText(breakable(shownWords(error->why)));
+        m_advice->setText(breakable(shownWords(error->advice)));
         return;
     }
-    m_verdict->setText(shownWords(m_job->joint().verdict));
+    m_verdict->setText(breakable(shownWords(m_job->joint().verdict)));
     m_advice->setText(tr("What is known together reckons with the markers' places being measured to %1 mm, which a camera that is registered by "
                          "itself takes as exact. Nothing is changed before you save; trials keep the registration they were analysed with.")
                           .arg(QLocale().toString(m_tape->value(), 'f', 1)));
