@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "core/project/repositories.h"
 
 #include <QJsonArray>
 
@@ -8,15 +9,24 @@ namespace odo {
 
 Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel)
 {
-    CommandCall call({QStringLiteral("check"), QStringLiteral("P.odo [--json]"), 1, 1, {}}, cancel);
+    const QString quick = QStringLiteral("quick");
+    CommandCall call({QStringLiteral("check"),
+                      QStringLiteral("P.odo [--quick] [--json]"),
+                      1,
+                      1,
+                      {{quick, QStringLiteral("leave out the content of the recordings, and metrics that their digests prove")}}},
+                     cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
     const auto project = call.openProject(0, Project::Access::ReadOnly);
     if (!project)
         return tl::unexpected(project.error());
-    const auto problems = (*project)->check(true);
+    const auto problems = (*project)->check(!call.isSet(quick), call.control());
     if (!problems)
         return tl::unexpected(problems.error());
+    const auto unproved = (*project)->analyses().countWithoutDigest();
+    if (!unproved)
+        return tl::unexpected(unproved.error());
     QJsonArray list;
     QStringList lines;
     for (const ProjectProblem &problem : *problems) {
@@ -27,7 +37,12 @@ Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel)
     }
     if (lines.isEmpty())
         lines << QStringLiteral("All is well.");
-    call.answer({{QStringLiteral("ok"), problems->empty()}, {QStringLiteral("problems"), list}}, lines.join(u'\n'));
+    if (*unproved > 0)
+        lines << QStringLiteral("Analyses without a digest, made before there were any: %1. Analysing a trial again adds one.").arg(*unproved);
+    call.answer({{QStringLiteral("ok"), problems->empty()},
+                 {QStringLiteral("problems"), list},
+                 {QStringLiteral("without_digest"), qint64(*unproved)}},
+                lines.join(u'\n'));
     if (!problems->empty())
         return fail(ErrorCode::InvalidInput, "check of '" + call.text(0) + "'",
                     std::to_string(problems->size()) + " problems found", "follow the advice given with each");

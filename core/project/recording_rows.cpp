@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/recording_rows.h"
 
+#include "core/base/sha256.h"
 #include "core/project/connection.h"
 #include "core/project/names.h"
 #include "core/project/series_blobs.h"
 
-#include <QCryptographicHash>
 #include <QFile>
 
 namespace odo {
@@ -17,7 +17,7 @@ const QString recordingColumns =
                    "height_px, frames_per_second, start_offset_s, clock_rate, recording.sync_method, start_offset_sigma_s ");
 
 /// The folder of the project, absolute and without "." and "..".
-std::filesystem::path folderOf(const std::filesystem::path &projectFile)
+std::filesystem::path projectFolder(const std::filesystem::path &projectFile)
 {
     std::error_code problem;
     const std::filesystem::path absolute = std::filesystem::absolute(projectFile, problem);
@@ -171,7 +171,7 @@ Result<std::optional<RecordingRecord>> newestRecordingOf(const ProjectConnection
 std::string storedPath(const std::filesystem::path &projectFile, const std::filesystem::path &file)
 {
     const std::filesystem::path normal = file.lexically_normal();
-    const std::filesystem::path relative = normal.lexically_relative(folderOf(projectFile));
+    const std::filesystem::path relative = normal.lexically_relative(projectFolder(projectFile));
     return climbsOut(relative) ? normal.string() : relative.generic_string();
 }
 
@@ -180,7 +180,7 @@ std::filesystem::path absolutePath(const std::filesystem::path &projectFile, con
     std::filesystem::path normal = std::filesystem::path(path).lexically_normal();
     if (normal.is_absolute())
         return normal;
-    return folderOf(projectFile) / (climbsOut(normal) ? normal.filename() : normal);
+    return projectFolder(projectFile) / (climbsOut(normal) ? normal.filename() : normal);
 }
 
 Result<std::string> fileSha256(const std::filesystem::path &file, const JobControl &control)
@@ -191,7 +191,7 @@ Result<std::string> fileSha256(const std::filesystem::path &file, const JobContr
         return fail(input.exists() ? ErrorCode::Io : ErrorCode::NotFound, what,
                     "it cannot be read (" + input.errorString().toStdString() + ")",
                     "check that the file is there and may be read");
-    QCryptographicHash hash(QCryptographicHash::Sha256);
+    Sha256 hash;
     QByteArray block(1 << 20, Qt::Uninitialized);
     for (;;) {
         if (control.isCancelled())
@@ -202,9 +202,9 @@ Result<std::string> fileSha256(const std::filesystem::path &file, const JobContr
                         "check the disk");
         if (count == 0)
             break;
-        hash.addData(QByteArrayView(block.constData(), count));
+        hash.add(block.constData(), static_cast<std::size_t>(count));
     }
-    return hash.result().toHex().toStdString();
+    return hash.hex();
 }
 
 } // namespace odo
