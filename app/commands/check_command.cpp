@@ -2,6 +2,7 @@
 #include "app/command_call.h"
 #include "app/commands/check_repairs.h"
 #include "app/commands/commands.h"
+#include "core/project/repositories.h"
 
 #include <QJsonArray>
 
@@ -9,7 +10,10 @@ namespace odo {
 
 Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel)
 {
-    CommandCall call({QStringLiteral("check"), QStringLiteral("P.odo [--find FOLDER] [--adopt] [--remove-strays] [--json]"), 1, 1, repairOptions()}, cancel);
+    const QString quick = QStringLiteral("quick");
+    QList<QCommandLineOption> options = repairOptions();
+    options.prepend({quick, QStringLiteral("leave out the content of the recordings, and metrics that their digests prove")});
+    CommandCall call({QStringLiteral("check"), QStringLiteral("P.odo [--quick] [--find FOLDER] [--adopt] [--remove-strays] [--json]"), 1, 1, options}, cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
     const bool repairs = asksForRepairs(call);
@@ -19,9 +23,12 @@ Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel)
     const auto repaired = repairs ? repairMedia(call, **project) : MediaRepairs();
     if (!repaired)
         return tl::unexpected(repaired.error());
-    const auto problems = (*project)->check(true);
+    const auto problems = (*project)->check(!call.isSet(quick), call.control());
     if (!problems)
         return tl::unexpected(problems.error());
+    const auto unproved = (*project)->analyses().countWithoutDigest();
+    if (!unproved)
+        return tl::unexpected(unproved.error());
     QJsonArray list;
     QStringList lines = repaired->lines;
     QJsonObject json = repaired->json;
@@ -33,8 +40,11 @@ Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel)
     }
     if (problems->empty())
         lines << QStringLiteral("All is well.");
+    if (*unproved > 0)
+        lines << QStringLiteral("Analyses without a digest, made before there were any: %1. Analysing a trial again adds one.").arg(*unproved);
     json.insert(QStringLiteral("ok"), problems->empty());
     json.insert(QStringLiteral("problems"), list);
+    json.insert(QStringLiteral("without_digest"), qint64(*unproved));
     call.answer(json, lines.join(u'\n'));
     if (!problems->empty())
         return fail(ErrorCode::InvalidInput, "check of '" + call.text(0) + "'",

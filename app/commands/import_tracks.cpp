@@ -3,7 +3,6 @@
 
 #include "app/json_answers.h"
 #include "app/task_answers.h"
-#include "core/trajectory/imported_track.h"
 #include "core/workflow/import_tracks_job.h"
 
 namespace odo {
@@ -14,7 +13,7 @@ QString robotText(const ImportTracksJob::Imported &one)
 {
     const Profile &profile = one.analysis.profile;
     const QString figures = QStringLiteral("%1 positions, %2 spikes, path %3 m in %4 s, top speed %5 m/s")
-                                .arg(profile.samples.size())
+                                .arg(profile.points.size())
                                 .arg(profile.spikes.size())
                                 .arg(metricValue(profile, "path_length"), 0, 'f', 3)
                                 .arg(metricValue(profile, "duration"), 0, 'f', 2)
@@ -26,7 +25,7 @@ QString robotText(const ImportTracksJob::Imported &one)
 QJsonObject robotJson(const ImportTracksJob::Imported &one)
 {
     const Profile &profile = one.analysis.profile;
-    QJsonObject json{{QStringLiteral("samples"), qint64(profile.samples.size())},
+    QJsonObject json{{QStringLiteral("samples"), qint64(profile.points.size())},
                      {QStringLiteral("spikes"), qint64(profile.spikes.size())},
                      {QStringLiteral("path_length_m"), metricValue(profile, "path_length")},
                      {QStringLiteral("duration_s"), metricValue(profile, "duration")},
@@ -45,7 +44,7 @@ QJsonObject importedTrackJson(const ImportedTrack &source)
             {QStringLiteral("sha256"), QString::fromStdString(source.sha256)},
             {QStringLiteral("bytes"), qint64(source.bytes)},
             {QStringLiteral("format"), QString::fromStdString(source.format)},
-            {QStringLiteral("noise_mm"), toMillimetres(noiseLevelM(source.samples))},
+            {QStringLiteral("noise_mm"), toMillimetres(source.noiseM)},
             {QStringLiteral("reading"), QString::fromStdString(source.reading)}};
 }
 

@@ -10,6 +10,7 @@ namespace odo {
 
 namespace {
 
+constexpr std::size_t mostLineBytes = std::size_t(8) << 20; // a million columns; of blank cells each takes eight times its bytes
 constexpr long double mostSeconds = 4e9L; // the year 2096; nanoseconds of 64 bits hold what lies between any two
 
 /// A whole cell as a number of any kind of floating point.
@@ -33,17 +34,36 @@ std::optional<Number> numberOf(std::string_view cell, char delimiter)
 
 } // namespace
 
-std::optional<std::string_view> TextLines::next()
+Result<std::optional<std::string_view>> FileLines::next()
 {
+    std::size_t searched = m_position, end = 0;
+    while ((end = m_text.find('\n', searched)) == std::string::npos && !m_atEnd) {
+        m_text.erase(0, m_position);
+        m_position = 0;
+        searched = m_text.size();
+        if (searched > mostLineBytes)
+            return fail(ErrorCode::InvalidInput, m_file.lineName(m_number + 1), "it is longer than 8 MiB", "check that it is the right file");
+        const auto block = m_file.read();
+        if (!block)
+            return tl::unexpected(block.error());
+        m_atEnd = block->empty();
+        m_text += *block;
+    }
     if (m_position >= m_text.size())
         return std::nullopt;
-    const std::size_t end = std::min(m_text.find('\n', m_position), m_text.size());
-    std::string_view line = m_text.substr(m_position, end - m_position);
+    end = std::min(end, m_text.size());
+    std::string_view line = std::string_view(m_text).substr(m_position, end - m_position);
+    m_given += line.size() + 1;
     m_position = end + 1;
     ++m_number;
     if (line.ends_with('\r'))
         line.remove_suffix(1);
     return line;
+}
+
+double FileLines::doneShare() const
+{
+    return std::min(1.0, double(m_given) / double(std::max<std::size_t>(m_file.size(), 1)));
 }
 
 std::string_view withoutBlanks(std::string_view text)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/units.h"
+#include "core/exchange/text_file.h"
 
 #include <optional>
 #include <string>
@@ -10,21 +11,25 @@
 
 namespace odo {
 
-/// Tables as other programs write them, line by line and without a copy of the text; any thread, whatever the locale.
+/// Tables as other programs write them, line by line and without the whole text in memory; whatever the locale.
 
-/// Walks through the lines of a text, which must outlive it; LF or CRLF.
-class TextLines
+/// Walks through the lines of a text file; LF or CRLF. One thread at a time.
+class FileLines
 {
 public:
-    explicit TextLines(std::string_view text) : m_text(text) {}
-    /// The next line without its end; nullopt behind the last one.
-    std::optional<std::string_view> next();
+    explicit FileLines(TextFile file) : m_file(std::move(file)) {}
+    /// The next line without its end, until the one after it is asked for; nullopt behind the last one. Errors: those of TextFile, and
+    /// a line of more than 8 MiB.
+    Result<std::optional<std::string_view>> next();
     int number() const { return m_number; } ///< of the line that next() gave last, from 1
+    double doneShare() const;               ///< of the file
 
 private:
-    std::string_view m_text;
-    std::size_t m_position = 0;
+    TextFile m_file;
+    std::string m_text; ///< what was read of it and not given yet, and what next() gave last
+    std::size_t m_position = 0, m_given = 0;
     int m_number = 0;
+    bool m_atEnd = false;
 };
 
 std::string_view withoutBlanks(std::string_view text);

@@ -11,54 +11,90 @@
 
 namespace odo {
 
-namespace {
-
-Result<void> checkEncoding(const std::string &what, const QByteArray &bytes)
+struct TextFile::Impl
 {
-    if (bytes.startsWith("\xff\xfe") || bytes.startsWith("\xfe\xff"))
-        return fail(ErrorCode::InvalidInput, what, "it is written in UTF-16",
-                    "save it again as \"CSV UTF-8\" or as a UTF-8 text");
-    QStringDecoder decoder(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless);
-    static_cast<void>(QString(decoder(bytes)));
-    if (decoder.hasError() || bytes.contains('\0'))
-        return fail(ErrorCode::InvalidInput, what, "it is not a UTF-8 text file",
-                    "save it again as UTF-8 text");
-    return {};
-}
+    std::string what; ///< for messages
+    std::size_t maxBytes = 0, count = 0;
+    QFile input;
+    QStringDecoder decoder{QStringDecoder::Utf8};
 
-} // namespace
+    tl::unexpected<Error> tooLarge() const
+    {
+        return fail(ErrorCode::InvalidInput, what, "it is larger than " + std::to_string(maxBytes / 1024) + " KiB", "check that it is the right file");
+    }
+
+    /// A character may begin in one block and end in the next.
+    Result<void> checkEncoding(const QByteArray &block, bool isLast)
+    {
+        if (count == 0 && (block.startsWith("\xff\xfe") || block.startsWith("\xfe\xff")))
+            return fail(ErrorCode::InvalidInput, what, "it is written in UTF-16", "save it again as \"CSV UTF-8\" or as a UTF-8 text");
+        static_cast<void>(QString(decoder(isLast ? QByteArrayLiteral("\n") : block))); // what was begun must have ended before
+        if (decoder.hasError() || block.contains('\0'))
+            return fail(ErrorCode::InvalidInput, what, "it is not a UTF-8 text file", "save it again as UTF-8 text");
+        return {};
+    }
+};
+
+TextFile::TextFile(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
+TextFile::~TextFile() = default;
+TextFile::TextFile(TextFile &&) noexcept = default;
 
 std::string atLine(const std::filesystem::path &file, int line)
 {
     return file.string() + ":" + std::to_string(line);
 }
 
+Result<TextFile> TextFile::open(const std::filesystem::path &file, std::size_t maxBytes)
+{
+    auto impl = std::make_unique<Impl>();
+    impl->what = "file '" + file.string() + "'";
+    impl->maxBytes = maxBytes;
+    if (files::isFolder(file))
+        return fail(ErrorCode::InvalidInput, impl->what, "it is a folder", "name a file");
+    impl->input.setFileName(QString::fromStdString(file.string()));
+    if (!impl->input.open(QIODevice::ReadOnly)) {
+        if (!impl->input.exists())
+            return fail(ErrorCode::NotFound, impl->what, "there is no such file", "check the name");
+        return fail(ErrorCode::Io, impl->what, "it cannot be read (" + impl->input.errorString().toStdString() + ")", "check that you may read the file");
+    }
+    if (static_cast<std::size_t>(impl->input.size()) > maxBytes)
+        return impl->tooLarge();
+    return TextFile(std::move(impl));
+}
+
+Result<std::string> TextFile::read()
+{
+    constexpr qint64 blockBytes = 1 << 16;
+    QByteArray block = m_impl->input.read(blockBytes);
+    if (auto text = m_impl->checkEncoding(block, block.isEmpty()); !text)
+        return tl::unexpected(text.error());
+    const bool isFirst = m_impl->count == 0;
+    m_impl->count += static_cast<std::size_t>(block.size());
+    if (m_impl->count > m_impl->maxBytes) // where no size is known
+        return m_impl->tooLarge();
+    if (isFirst && block.startsWith("\xef\xbb\xbf"))
+        block.remove(0, 3);
+    return block.toStdString();
+}
+
+std::string TextFile::lineName(int line) const { return atLine(m_impl->input.fileName().toStdString(), line); }
+
+std::size_t TextFile::size() const { return static_cast<std::size_t>(m_impl->input.size()); }
+
 Result<std::string> readTextFile(const std::filesystem::path &file, std::size_t maxBytes)
 {
-    const std::string what = "file '" + file.string() + "'";
-    if (files::isFolder(file))
-        return fail(ErrorCode::InvalidInput, what, "it is a folder", "name a file");
-    QFile input(QString::fromStdString(file.string()));
-    if (!input.open(QIODevice::ReadOnly)) {
-        if (!input.exists())
-            return fail(ErrorCode::NotFound, what, "there is no such file", "check the name");
-        return fail(ErrorCode::Io, what, "it cannot be read (" + input.errorString().toStdString() + ")", "check that you may read the file");
+    auto input = TextFile::open(file, maxBytes);
+    if (!input)
+        return tl::unexpected(input.error());
+    std::string text;
+    for (;;) {
+        const auto block = input->read();
+        if (!block)
+            return block;
+        if (block->empty())
+            return text;
+        text += *block;
     }
-    // In blocks, because reading all that is allowed at once would take memory for it. One block more than allowed tells a
-    // file that is too large from one that just fits, also where no size is known.
-    constexpr qint64 blockBytes = 1 << 16;
-    QByteArray bytes = input.read(blockBytes);
-    for (QByteArray block = bytes; !block.isEmpty() && static_cast<std::size_t>(bytes.size()) <= maxBytes; bytes += block)
-        block = input.read(blockBytes);
-    if (static_cast<std::size_t>(bytes.size()) > maxBytes)
-        return fail(ErrorCode::InvalidInput, what,
-                    "it is larger than " + std::to_string(maxBytes / 1024) + " KiB",
-                    "check that it is the right file");
-    if (auto text = checkEncoding(what, bytes); !text)
-        return tl::unexpected(text.error());
-    if (bytes.startsWith("\xef\xbb\xbf"))
-        bytes.remove(0, 3);
-    return bytes.toStdString();
 }
 
 Result<void> writeTextFile(const std::filesystem::path &file, std::string_view text)

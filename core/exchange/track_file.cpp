@@ -13,7 +13,7 @@ namespace odo {
 namespace {
 
 constexpr std::size_t mostTrackBytes = std::size_t(256) << 20;
-constexpr std::size_t mostPlaces = 4'000'000; // a blank one takes thirty times its bytes in the file
+constexpr std::size_t mostPlaces = 1'500'000; // with what is computed of them they take half a gigabyte
 constexpr double mostM = 100e3;
 constexpr auto longest = std::chrono::hours(24 * 7);
 constexpr std::size_t leastPositions = 3, tumEntries = 8;
@@ -26,19 +26,19 @@ constexpr std::string_view tumMark = "timestamp tx ty tz qx qy qz qw", csvMark =
 class TrackReader
 {
 public:
-    TrackReader(const std::filesystem::path &file, std::string_view text, const JobControl &control)
-        : m_file(file), m_size(text.size()), m_lines(text), m_control(control)
+    TrackReader(const std::filesystem::path &file, TextFile text, const JobControl &control)
+        : m_file(file), m_lines(std::move(text)), m_control(control)
     {
     }
 
     Result<TrackFile> read();
 
 private:
-    Result<TrackFile> readTum(std::string_view first);
+    Result<TrackFile> readTum();
     Result<TrackFile> readTable(const TrackHeader &header, bool isTracker);
     Result<std::optional<TrackHeader>> headerOf(std::string_view line);
     Result<void> addRow(const TrackHeader &header, std::vector<FileTrack> &tracks);
-    Result<std::optional<Eigen::Vector2d>> pairOf(const UnitColumn &x, const UnitColumn &y, const char *what);
+    Result<std::optional<ImportedPosition::Pair>> pairOf(const UnitColumn &x, const UnitColumn &y, const char *what);
     Result<void> add(FileTrack &track, const ImportedPosition &position);
     Result<TrackFile> checked(TrackFile file) const;
     Result<double> numberOf(std::size_t cell) const;
@@ -47,26 +47,32 @@ private:
         return fail(ErrorCode::InvalidInput, atLine(m_file, std::max(1, m_lines.number())), why, advice);
     }
     std::string shown(std::size_t cell) const { return '\'' + std::string(m_cells[cell].substr(0, 40)) + '\''; }
-    Result<void> askControl(std::size_t bytesPerLine) const;
+    Result<bool> nextLine();
 
     const std::filesystem::path &m_file;
-    const std::size_t m_size;
-    TextLines m_lines;
+    FileLines m_lines;
+    std::string_view m_line; ///< that is read
     const JobControl &m_control;
     char m_delimiter = ' ';
     std::size_t m_places = 0; ///< of all tracks
-    std::vector<std::string_view> m_cells, m_above; ///< of the line that is read, and of the one above the header
+    std::vector<std::string_view> m_cells; ///< of the line
+    std::string m_lineAbove;               ///< the one above the header
+    std::vector<std::string_view> m_above; ///< its cells
 };
 
-Result<void> TrackReader::askControl(std::size_t bytesPerLine) const
+/// False in the value: there is none; asks for cancellation.
+Result<bool> TrackReader::nextLine()
 {
-    if (m_lines.number() % linesBetweenQuestions != 0)
-        return {};
-    if (m_control.isCancelled())
-        return cancelled("file '" + m_file.string() + "'");
-    const double done = double(m_lines.number()) * double(bytesPerLine) / double(std::max<std::size_t>(m_size, 1));
-    m_control.report(std::min(0.5, 0.5 * done), "reading line " + std::to_string(m_lines.number()));
-    return {};
+    if (m_lines.number() % linesBetweenQuestions == 0) {
+        if (m_control.isCancelled())
+            return cancelled("file '" + m_file.string() + "'");
+        m_control.report(0.5 * m_lines.doneShare(), "reading line " + std::to_string(m_lines.number()));
+    }
+    const auto line = m_lines.next();
+    if (!line)
+        return tl::unexpected(line.error());
+    m_line = line->value_or(std::string_view());
+    return line->has_value();
 }
 
 Result<double> TrackReader::numberOf(std::size_t cell) const
@@ -91,7 +97,7 @@ Result<void> TrackReader::add(FileTrack &track, const ImportedPosition &position
     if (position.position && position.position->cwiseAbs().maxCoeff() > mostM)
         return wrong("its place is more than 100 km away", "check the unit of the places: m, cm or mm");
     if (++m_places > mostPlaces)
-        return wrong("the file has more than four million places", "check that all lines are of one run");
+        return wrong("the file has more than 1.5 million places", "check that all lines are of one run");
     track.positions.push_back(position);
     return {};
 }
@@ -114,14 +120,14 @@ Result<TrackFile> TrackReader::checked(TrackFile file) const
     return file;
 }
 
-Result<TrackFile> TrackReader::readTum(std::string_view first)
+/// From the line on that was read last.
+Result<TrackFile> TrackReader::readTum()
 {
     TrackFile file{TrackFormat::Tum, std::vector<FileTrack>(1)};
-    const std::size_t lineBytes = first.size() + 1;
-    for (std::optional<std::string_view> line = first; line; line = m_lines.next()) {
-        if (auto going = askControl(lineBytes); !going)
-            return tl::unexpected(going.error());
-        const std::string_view content = withoutBlanks(*line);
+    for (Result<bool> isLine = true; !isLine || *isLine; isLine = nextLine()) {
+        if (!isLine)
+            return tl::unexpected(isLine.error());
+        const std::string_view content = withoutBlanks(m_line);
         if (content.empty() || content.starts_with('#'))
             continue;
         splitCells(content, ' ', m_cells);
@@ -157,7 +163,7 @@ Result<std::optional<TrackHeader>> TrackReader::headerOf(std::string_view line)
 }
 
 /// A pair of cells in metres; nullopt where both are blank.
-Result<std::optional<Eigen::Vector2d>> TrackReader::pairOf(const UnitColumn &x, const UnitColumn &y, const char *what)
+Result<std::optional<ImportedPosition::Pair>> TrackReader::pairOf(const UnitColumn &x, const UnitColumn &y, const char *what)
 {
     if (m_cells[x.index].empty() && m_cells[y.index].empty())
         return std::nullopt;
@@ -167,7 +173,7 @@ Result<std::optional<Eigen::Vector2d>> TrackReader::pairOf(const UnitColumn &x, 
     if (!first || !second)
         return tl::unexpected(first ? second.error() : first.error());
     // A quotient is rounded once: 0.1 is not 100 times 0.001.
-    return Eigen::Vector2d(*first / std::round(1 / x.unit), *second / std::round(1 / y.unit));
+    return ImportedPosition::Pair(*first / std::round(1 / x.unit), *second / std::round(1 / y.unit));
 }
 
 Result<void> TrackReader::addRow(const TrackHeader &header, std::vector<FileTrack> &tracks)
@@ -202,10 +208,13 @@ Result<TrackFile> TrackReader::readTable(const TrackHeader &header, bool isTrack
     TrackFile file{isTracker ? TrackFormat::Tracker : TrackFormat::Csv, {}};
     for (const TrackColumns &columns : header.tracks)
         file.tracks.push_back({columns.name, {}});
-    while (const auto line = m_lines.next()) {
-        if (auto going = askControl(line->size() + 1); !going)
-            return tl::unexpected(going.error());
-        splitCells(*line, m_delimiter, m_cells);
+    for (;;) {
+        const auto isLine = nextLine();
+        if (!isLine)
+            return tl::unexpected(isLine.error());
+        if (!*isLine)
+            break;
+        splitCells(m_line, m_delimiter, m_cells);
         if (std::ranges::all_of(m_cells, [](std::string_view cell) { return cell.empty(); }))
             continue;
         if (auto added = addRow(header, file.tracks); !added)
@@ -226,22 +235,30 @@ Result<TrackFile> TrackReader::read()
 {
     int above = 0;
     bool isTracker = false;
-    while (const auto line = m_lines.next()) {
-        isTracker = isTracker || line->starts_with("#multi:");
-        if (withoutBlanks(*line).empty() || line->starts_with('#') || line->starts_with("sep="))
-            continue;
-        if (above == 0 && delimiterOf(*line) != ',' && delimiterOf(*line) != ';' && beginsAsNumber(*line))
-            return readTum(*line);
-        if (beginsAsNumber(*line))
+    for (;;) {
+        const auto isLine = nextLine();
+        if (!isLine)
+            return tl::unexpected(isLine.error());
+        if (!*isLine)
             break;
-        auto header = headerOf(*line);
+        isTracker = isTracker || m_line.starts_with("#multi:");
+        if (withoutBlanks(m_line).empty() || m_line.starts_with('#') || m_line.starts_with("sep="))
+            continue;
+        if (above == 0 && delimiterOf(m_line) != ',' && delimiterOf(m_line) != ';' && beginsAsNumber(m_line))
+            return readTum();
+        if (beginsAsNumber(m_line))
+            break;
+        auto header = headerOf(m_line);
         if (!header)
             return tl::unexpected(header.error());
         if (*header) {
             const bool isBare = withoutBlanks(m_cells[0]) == "t" && !(*header)->hasUnits;
             return readTable(**header, isTracker || isBare || above > 0);
         }
-        m_above = m_delimiter == ' ' ? std::vector{withoutBlanks(*line)} : m_cells; // a name may have blanks
+        m_lineAbove = m_line;
+        m_above = {withoutBlanks(m_lineAbove)}; // a name may have blanks
+        if (m_delimiter != ' ')
+            splitCells(m_lineAbove, m_delimiter, m_above);
         if (++above == linesAboveHeader)
             break;
     }
@@ -259,10 +276,10 @@ std::string_view trackFormatWord(TrackFormat format)
 
 Result<TrackFile> readTrackFile(const std::filesystem::path &file, const JobControl &control)
 {
-    const auto text = readTextFile(file, mostTrackBytes);
+    auto text = TextFile::open(file, mostTrackBytes);
     if (!text)
         return tl::unexpected(text.error());
-    return TrackReader(file, *text, control).read();
+    return TrackReader(file, std::move(*text), control).read();
 }
 
 } // namespace odo

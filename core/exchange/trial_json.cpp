@@ -2,7 +2,6 @@
 #include "core/exchange/trial_json.h"
 
 #include "core/trajectory/heading.h"
-#include "core/trajectory/imported_track.h"
 
 #include <QDateTime>
 #include <QJsonArray>
@@ -82,7 +81,7 @@ QJsonValue importedOf(const AnalysisRecord &analysis, const std::vector<Imported
                            {QStringLiteral("sha256"), qtText(source.sha256)},
                            {QStringLiteral("bytes"), static_cast<qint64>(source.bytes)},
                            {QStringLiteral("format"), qtText(source.format)},
-                           {QStringLiteral("noise_m"), noiseLevelM(source.samples)},
+                           {QStringLiteral("noise_m"), source.noiseM},
                            {QStringLiteral("reading"), qtText(source.reading)}};
     }
     return {};

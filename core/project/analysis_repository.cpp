@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/analysis_digest.h"
 #include "core/project/column_blob.h"
 #include "core/project/connection.h"
 #include "core/project/named_rows.h"
@@ -16,15 +17,15 @@ const QString newestColumns = QStringLiteral(
     "mean_view_disagreement_m, task_id FROM analysis JOIN robot ON robot.id=robot_id WHERE analysis.id IN "
     "(SELECT MAX(id) FROM analysis WHERE trial_id=? GROUP BY robot_id) ORDER BY robot_id");
 
-Result<void> checkAnalysis(const AnalysisRecord &analysis)
+Result<void> checkAnalysis(const AnalysisRecord &analysis, std::size_t samples)
 {
     const auto refuse = [](const std::string &why) {
         return fail(ErrorCode::InvalidInput, "analysis of a trial", why, "analyse the trial again");
     };
     const Profile &profile = analysis.profile;
-    if (profile.samples.size() != profile.points.size())
+    if (samples != profile.points.size())
         return refuse("samples and profile differ in length");
-    if (profile.samples.size() > maxBlobRows)
+    if (samples > maxBlobRows)
         return refuse("it has more than " + std::to_string(maxBlobRows) + " samples");
     if (!analysis.registrations.empty() && analysis.registrations.size() != analysis.views.size())
         return refuse("views and registrations differ in number");
@@ -113,10 +114,20 @@ Result<void> addPassages(ProjectConnection &connection, RecordId id, const std::
     return {};
 }
 
-Result<void> addSeries(ProjectConnection &connection, RecordId id, const Profile &profile)
+Result<void> addSeries(ProjectConnection &connection, RecordId id, const Profile &profile, const SampleSource &samples)
 {
-    Statement insert(connection, QStringLiteral("INSERT INTO analysis_series VALUES (?,?,?)"));
-    return insert.bind(id).bind(packSamples(profile.samples)).bind(packPoints(profile.points)).run();
+    const std::span<const ProfilePoint> points(profile.points);
+    for (std::size_t start = 0; start == 0 || start < points.size(); start += rowsPerChunk) {
+        const std::size_t count = std::min(rowsPerChunk, points.size() - start);
+        const auto chunk = samples.chunk(start, count);
+        if (!chunk)
+            return tl::unexpected(chunk.error());
+        Statement insert(connection, QStringLiteral("INSERT INTO analysis_chunk VALUES (?,?,?,?)"));
+        insert.bind(id).bind(static_cast<std::int64_t>(start / rowsPerChunk));
+        if (auto done = insert.bind(packSamples(*chunk)).bind(packPoints(points.subspan(start, count))).run(); !done)
+            return done;
+    }
+    return {};
 }
 
 Result<AnalysisRecord> analysisOf(const Statement &row)
@@ -203,28 +214,36 @@ Result<void> readSeries(const ProjectConnection &connection, AnalysisRecord &int
     const auto damaged = [&what](const std::string &why) {
         return fail(ErrorCode::InvalidInput, what, why, "analyse the trial again");
     };
-    Statement select(connection,
-                     QStringLiteral("SELECT samples, points FROM analysis_series WHERE analysis_id=?"));
-    const auto found = select.bind(into.id).firstRow();
-    if (!found)
-        return tl::unexpected(found.error());
-    if (!*found)
+    std::vector<Sample> samples;
+    std::vector<ProfilePoint> points;
+    Statement length(connection, QStringLiteral("SELECT COUNT(*) FROM analysis_chunk WHERE analysis_id=?"));
+    const auto counted = length.bind(into.id).firstRow();
+    if (!counted)
+        return tl::unexpected(counted.error());
+    if (length.integer(0) == 0)
         return damaged("its series are missing");
-    auto samples = unpackSamples(select.blob(0), what);
-    if (!samples)
-        return tl::unexpected(samples.error());
-    auto points = unpackPoints(select.blob(1), what);
-    if (!points)
-        return tl::unexpected(points.error());
-    if (samples->size() != points->size())
-        return damaged("samples and profile differ in length");
-    const auto count = static_cast<std::int64_t>(samples->size());
+    const auto most = std::min<std::int64_t>(length.integer(0) * rowsPerChunk, maxBlobRows);
+    samples.reserve(static_cast<std::size_t>(most));
+    points.reserve(static_cast<std::size_t>(most));
+    Statement select(connection, QStringLiteral("SELECT samples, points FROM analysis_chunk WHERE analysis_id=? ORDER BY position"));
+    auto read = select.bind(into.id).eachRow([&](const Statement &row) -> Result<void> {
+        if (auto unpacked = unpackSamples(row.blob(0), what, samples); !unpacked)
+            return unpacked;
+        if (auto unpacked = unpackPoints(row.blob(1), what, points); !unpacked)
+            return unpacked;
+        if (samples.size() != points.size())
+            return damaged("samples and profile differ in length");
+        return samples.size() > maxBlobRows ? damaged("it has more than " + std::to_string(maxBlobRows) + " samples") : Result<void>();
+    });
+    if (!read)
+        return read;
+    const auto count = static_cast<std::int64_t>(samples.size());
     for (const Spike &spike : into.profile.spikes) {
         if (spike.sampleIndex < 0 || spike.sampleIndex >= count)
             return damaged("a spike refers to a sample that is not there");
     }
-    into.profile.samples = std::move(*samples);
-    into.profile.points = std::move(*points);
+    into.profile.samples = std::move(samples);
+    into.profile.points = std::move(points);
     return {};
 }
 
@@ -232,10 +251,11 @@ Result<void> readSeries(const ProjectConnection &connection, AnalysisRecord &int
 
 AnalysisRepository::AnalysisRepository(ProjectConnection &connection) : m_connection(connection) {}
 
-Result<AnalysisRecord> AnalysisRepository::add(AnalysisRecord analysis)
+Result<AnalysisRecord> AnalysisRepository::add(AnalysisRecord analysis, const SampleSource &samples)
 {
     return transact(m_connection, [&]() -> Result<AnalysisRecord> {
-        if (auto valid = checkAnalysis(analysis); !valid)
+        const SampleSource source = samples.chunk ? samples : sourceOf(analysis.profile.samples);
+        if (auto valid = checkAnalysis(analysis, source.count); !valid)
             return tl::unexpected(valid.error());
         const auto id = addRow(m_connection, analysis);
         if (!id)
@@ -248,9 +268,12 @@ Result<AnalysisRecord> AnalysisRepository::add(AnalysisRecord analysis)
             return tl::unexpected(added.error());
         if (auto added = addPassages(m_connection, *id, analysis.profile.passages); !added)
             return tl::unexpected(added.error());
-        if (auto added = addSeries(m_connection, *id, analysis.profile); !added)
+        if (auto added = addSeries(m_connection, *id, analysis.profile, source); !added)
             return tl::unexpected(added.error());
+        if (auto written = writeDigests(m_connection, *id); !written)
+            return tl::unexpected(written.error());
         analysis.id = *id;
+        analysis.proof = AnalysisRecord::Proof::Holds;
         return std::move(analysis);
     });
 }
@@ -260,7 +283,13 @@ Result<std::vector<AnalysisRecord>> AnalysisRepository::current(RecordId trial) 
     auto analyses = currentMetrics(trial);
     if (!analyses)
         return analyses;
+    AnalysisDigests digests(m_connection);
     for (AnalysisRecord &analysis : *analyses) {
+        const auto compared = digests.compare(analysis.id, shownDigestParts);
+        if (!compared)
+            return tl::unexpected(compared.error());
+        if (compared->isKept)
+            analysis.proof = compared->changed.empty() ? AnalysisRecord::Proof::Holds : AnalysisRecord::Proof::Broken;
         if (auto read = readDecisions(m_connection, analysis); !read)
             return tl::unexpected(read.error());
         if (auto read = readSeries(m_connection, analysis); !read)
@@ -304,6 +333,12 @@ Result<std::vector<TrialFigure>> AnalysisRepository::figures(const std::string &
     if (!read)
         return tl::unexpected(read.error());
     return figures;
+}
+
+Result<std::int64_t> AnalysisRepository::countWithoutDigest() const
+{
+    return m_connection.number(QStringLiteral("SELECT COUNT(*) FROM (SELECT MAX(id) AS newest FROM analysis GROUP BY trial_id, robot_id) "
+                                              "WHERE NOT EXISTS (SELECT 1 FROM analysis_digest WHERE analysis_id=newest)"));
 }
 
 Result<std::vector<std::string>> AnalysisRepository::metricNames() const

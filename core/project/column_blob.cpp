@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/column_blob.h"
 
-#include <bit>
-#include <cassert>
-
 namespace odo {
 
 BlobWriter::BlobWriter(const BlobLayout &layout, std::size_t rows)
-    : m_expectedBytes(blobHeaderBytes + rows * layout.bytesPerRow)
+    : m_bytes(static_cast<qsizetype>(blobHeaderBytes + rows * layout.bytesPerRow), Qt::Uninitialized), m_start(m_bytes.data())
 {
     assert(rows <= maxBlobRows);
-    m_bytes.reserve(static_cast<qsizetype>(m_expectedBytes));
     put(layout.kind);
     put(layout.version);
     put(std::uint16_t(0));
@@ -19,18 +15,8 @@ BlobWriter::BlobWriter(const BlobLayout &layout, std::size_t rows)
 
 QByteArray BlobWriter::take()
 {
-    assert(static_cast<std::size_t>(m_bytes.size()) == m_expectedBytes);
+    assert(m_at == static_cast<std::size_t>(m_bytes.size()));
     return std::move(m_bytes);
-}
-
-void BlobWriter::appendLittleEndian(const unsigned char *bytes, std::size_t count)
-{
-    if constexpr (std::endian::native == std::endian::little) {
-        m_bytes.append(reinterpret_cast<const char *>(bytes), static_cast<qsizetype>(count));
-    } else {
-        for (std::size_t i = count; i-- > 0;)
-            m_bytes.append(static_cast<char>(bytes[i]));
-    }
 }
 
 Result<BlobReader> BlobReader::open(const QByteArray &bytes, const BlobLayout &layout,

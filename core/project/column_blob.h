@@ -5,6 +5,9 @@
 #include "core/project/limits.h"
 
 #include <QByteArray>
+#include <algorithm>
+#include <bit>
+#include <cassert>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -33,18 +36,20 @@ public:
     void put(Value value)
     {
         static_assert(std::is_arithmetic_v<Value>);
-        unsigned char bytes[sizeof(Value)];
-        std::memcpy(bytes, &value, sizeof value);
-        appendLittleEndian(bytes, sizeof value);
+        assert(m_at + sizeof value <= static_cast<std::size_t>(m_bytes.size()));
+        auto *to = reinterpret_cast<unsigned char *>(m_start) + m_at;
+        std::memcpy(to, &value, sizeof value);
+        if constexpr (std::endian::native == std::endian::big)
+            std::reverse(to, to + sizeof value);
+        m_at += sizeof value;
     }
     /// The finished blob; asserts that exactly the announced columns were put.
     QByteArray take();
 
 private:
-    void appendLittleEndian(const unsigned char *bytes, std::size_t count);
-
     QByteArray m_bytes;
-    std::size_t m_expectedBytes;
+    char *m_start; ///< of the bytes
+    std::size_t m_at = 0;
 };
 
 /// Reads a blob whose kind, version and length were checked against its layout, so that no read can leave it.

@@ -332,11 +332,11 @@ Result<void> Project::saveCopy(const std::filesystem::path &file) const
     return copyDatabase(*m_impl->connection, file);
 }
 
-Result<std::vector<ProjectProblem>> Project::check(bool withHashes) const
+Result<std::vector<ProjectProblem>> Project::check(bool withHashes, const JobControl &control) const
 {
     // Repositories are reached through a Project that may be changed; checking only reads.
     auto &self = const_cast<Project &>(*this); // NOLINT(cppcoreguidelines-pro-type-const-cast): see above
-    return checkProject(self, *m_impl->connection, withHashes);
+    return checkProject(self, *m_impl->connection, withHashes, control);
 }
 
 } // namespace odo

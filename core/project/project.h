@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/base/job_control.h"
 #include "core/project/records.h"
 
 #include <cstdint>
@@ -114,8 +115,10 @@ public:
     bool emptyLog() const;
     /// Copies the whole project to another file through SQLite's backup API.
     Result<void> saveCopy(const std::filesystem::path &file) const;
-    /// Integrity of the database, references, and recordings (present, size; hashes when asked).
-    Result<std::vector<ProjectProblem>> check(bool withHashes) const;
+    /// Integrity of the database, references, files (present, size), and whether analyses are what they were when they were made, by
+    /// their digests. withHashes, which takes as long as reading all recordings: the content of the files as well, and every metric
+    /// computed again from the stored positions. Cancelled.
+    Result<std::vector<ProjectProblem>> check(bool withHashes, const JobControl &control = {}) const;
 
 private:
     struct Impl;

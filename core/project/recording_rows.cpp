@@ -2,11 +2,11 @@
 #include "core/project/recording_rows.h"
 
 #include "core/base/file_system.h"
+#include "core/base/sha256.h"
 #include "core/project/connection.h"
 #include "core/project/names.h"
 #include "core/project/series_blobs.h"
 
-#include <QCryptographicHash>
 #include <QFile>
 #include <algorithm>
 
@@ -22,7 +22,7 @@ const QString recordingColumns =
                    "height_px, frames_per_second, start_offset_s, clock_rate, recording.sync_method, start_offset_sigma_s ");
 
 /// The folder of the project, absolute and without "." and "..".
-std::filesystem::path folderOf(const std::filesystem::path &projectFile)
+std::filesystem::path projectFolder(const std::filesystem::path &projectFile)
 {
     return realProjectFile(projectFile).parent_path();
 }
@@ -179,7 +179,7 @@ Result<std::optional<RecordingRecord>> newestRecordingOf(const ProjectConnection
 std::string storedPath(const std::filesystem::path &projectFile, const std::filesystem::path &file)
 {
     const std::filesystem::path normal = file.lexically_normal();
-    const std::filesystem::path folder = folderOf(projectFile), relative = normal.lexically_relative(folder);
+    const std::filesystem::path folder = projectFolder(projectFile), relative = normal.lexically_relative(folder);
     if (!climbsOut(relative))
         return relative.generic_string();
     std::error_code problem; // the project may have been opened by another way than the file was named by
@@ -206,8 +206,8 @@ std::filesystem::path absolutePath(const std::filesystem::path &projectFile, con
     if (normal.is_absolute())
         return normal;
     if (climbsOut(normal))
-        return folderOf(projectFile) / normal.filename();
-    const std::filesystem::path stored = folderOf(projectFile) / normal;
+        return projectFolder(projectFile) / normal.filename();
+    const std::filesystem::path stored = projectFolder(projectFile) / normal;
     const std::filesystem::path media = mediaFolderOf(projectFile), first = *normal.begin();
     if (!isMediaFolder(first) || first == media.filename())
         return stored;
@@ -224,7 +224,7 @@ Result<std::string> fileSha256(const std::filesystem::path &file, const JobContr
         return fail(input.exists() ? ErrorCode::Io : ErrorCode::NotFound, what,
                     "it cannot be read (" + input.errorString().toStdString() + ")",
                     "check that the file is there and may be read");
-    QCryptographicHash hash(QCryptographicHash::Sha256);
+    Sha256 hash;
     QByteArray block(1 << 20, Qt::Uninitialized);
     for (;;) {
         if (control.isCancelled())
@@ -235,9 +235,9 @@ Result<std::string> fileSha256(const std::filesystem::path &file, const JobContr
                         "check the disk");
         if (count == 0)
             break;
-        hash.addData(QByteArrayView(block.constData(), count));
+        hash.add(block.constData(), static_cast<std::size_t>(count));
     }
-    return hash.result().toHex().toStdString();
+    return hash.hex();
 }
 
 } // namespace odo

@@ -201,6 +201,7 @@ struct ImportedTrack
     std::string reading;  ///< for people: units, axes and errors it was read with
     /// In order of time, with their covariances; flagged Lost where it has no position. Views and disagreement are not known.
     std::vector<Sample> samples;
+    double noiseM = 0; ///< read only: the root mean square σ of a coordinate
 };
 
 /// One computed result for one robot of a trial, with all that went into it.
@@ -217,6 +218,8 @@ struct AnalysisRecord
     std::vector<RecordId> registrations; ///< one a view, in the views' order; 0 where unregistered
     std::vector<std::string> views;      ///< names of the views, bit i of Sample::views
     Profile profile;
+    /// Read only: whether positions and metrics are as they were when it was made. NotKept: it is older than digests.
+    enum class Proof { NotKept, Holds, Broken } proof = Proof::NotKept;
 };
 
 /// One figure of a trial's newest analysis.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/project/records.h"
+#include "core/trajectory/sample_source.h"
 #include "core/trajectory/scoring.h"
 #include "core/video/recorded_times.h"
 
@@ -213,10 +214,11 @@ public:
     /// In order of the frames.
     Result<std::vector<Overrule>> overrules(RecordId trial, RecordId robot) const;
     /// A track that was measured elsewhere; a newer one joins the older ones. InvalidInput for one without samples, of times that do not
-    /// rise, or with a position or covariance that is no number.
-    Result<void> addImportedTrack(const ImportedTrack &track);
+    /// rise, or with a position or covariance that is no number. samples: in place of those of the track.
+    Result<void> addImportedTrack(const ImportedTrack &track, const SampleSource &samples = {});
     /// The newest one; nullopt where there is none: the robot was tracked in recordings.
-    Result<std::optional<ImportedTrack>> currentImportedTrack(RecordId trial, RecordId robot) const;
+    /// Without samples: where it came from, and how it was read.
+    Result<std::optional<ImportedTrack>> currentImportedTrack(RecordId trial, RecordId robot, bool withSamples = true) const;
     Result<void> setTruth(const TruthSeries &truth);
     Result<std::optional<TruthSeries>> truth(RecordId trial, RecordId robot) const;
 
@@ -245,8 +247,9 @@ class AnalysisRepository
 {
 public:
     explicit AnalysisRepository(ProjectConnection &connection);
-    Result<AnalysisRecord> add(AnalysisRecord analysis);
-    /// The newest analysis of each robot of the trial, with all its series.
+    /// samples: in place of those of the profile, one for each of its points.
+    Result<AnalysisRecord> add(AnalysisRecord analysis, const SampleSource &samples = {});
+    /// The newest analysis of each robot of the trial, with all its series, and whether they are as they were stored.
     Result<std::vector<AnalysisRecord>> current(RecordId trial) const;
     /// Metrics alone, for lists: the newest of each robot, cheap.
     Result<std::vector<AnalysisRecord>> currentMetrics(RecordId trial) const;
@@ -257,6 +260,8 @@ public:
     Result<std::vector<ScoredFigures>> scoredFigures(Instant from, Instant to) const;
     /// In order of their ids.
     Result<std::vector<OtherwiseMeasured>> trialsMeasuredOtherwise() const;
+    /// How many of the newest analyses were made before digests were kept, so that nothing proves them.
+    Result<std::int64_t> countWithoutDigest() const;
     /// The names of the metrics that there are, in alphabetical order.
     Result<std::vector<std::string>> metricNames() const;
     /// Names of the trials whose newest analyses were made with a registration, by its id.

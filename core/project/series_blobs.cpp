@@ -41,6 +41,14 @@ void takeColumn(BlobReader &reader, Rows &&rows, Column set)
         set(row, reader.take<Value>());
 }
 
+/// So many fresh rows at the end.
+template <class Row>
+std::span<Row> appended(std::vector<Row> &rows, std::size_t count)
+{
+    rows.resize(rows.size() + count);
+    return std::span(rows).last(count);
+}
+
 template <class Rows, class Matrix>
 void putCovariance(BlobWriter &writer, const Rows &rows, Matrix matrix)
 {
@@ -107,9 +115,7 @@ Result<void> unpackRawTimes(const QByteArray &bytes, const std::string &what, st
     auto reader = BlobReader::open(bytes, rawTimesLayout, what);
     if (!reader)
         return tl::unexpected(reader.error());
-    const std::size_t before = appendTo.size();
-    appendTo.resize(before + reader->rows());
-    const auto fresh = std::span(appendTo).subspan(before);
+    const auto fresh = appended(appendTo, reader->rows());
     takeColumn<std::uint64_t>(*reader, fresh, [](RawTime &picture, std::uint64_t value) { picture.sequence = value; });
     takeColumn<std::int64_t>(*reader, fresh, [](RawTime &picture, std::int64_t value) { picture.device = Nanoseconds(value); });
     takeColumn<std::int64_t>(*reader, fresh, [](RawTime &picture, std::int64_t value) { picture.arrival = Nanoseconds(value); });
@@ -129,9 +135,7 @@ Result<void> unpackClockReadings(const QByteArray &bytes, const std::string &wha
     auto reader = BlobReader::open(bytes, clockReadingsLayout, what);
     if (!reader)
         return tl::unexpected(reader.error());
-    const std::size_t before = appendTo.size();
-    appendTo.resize(before + reader->rows());
-    const auto fresh = std::span(appendTo).subspan(before);
+    const auto fresh = appended(appendTo, reader->rows());
     for (const auto time : {&ClockReading::device, &ClockReading::before, &ClockReading::after})
         takeColumn<std::int64_t>(*reader, fresh, [time](ClockReading &reading, std::int64_t value) { reading.*time = Nanoseconds(value); });
     return {};
@@ -163,9 +167,7 @@ Result<void> unpackObservations(const QByteArray &bytes, const std::string &what
     auto reader = BlobReader::open(bytes, observationsLayout, what);
     if (!reader)
         return tl::unexpected(reader.error());
-    const std::size_t before = appendTo.size();
-    appendTo.resize(before + reader->rows());
-    const std::span<Observation> rows(appendTo.begin() + static_cast<std::ptrdiff_t>(before), appendTo.end());
+    const auto rows = appended(appendTo, reader->rows());
     takeColumn<std::int64_t>(*reader, rows, [](Observation &o, std::int64_t value) { o.frame = value; });
     takeColumn<std::int64_t>(*reader, rows,
                              [](Observation &o, std::int64_t value) { o.time = Nanoseconds(value); });
@@ -205,12 +207,12 @@ QByteArray packSamples(std::span<const Sample> samples)
     return writer.take();
 }
 
-Result<std::vector<Sample>> unpackSamples(const QByteArray &bytes, const std::string &what)
+Result<void> unpackSamples(const QByteArray &bytes, const std::string &what, std::vector<Sample> &appendTo)
 {
     auto reader = BlobReader::open(bytes, samplesLayout, what);
     if (!reader)
         return tl::unexpected(reader.error());
-    std::vector<Sample> rows(reader->rows());
+    const auto rows = appended(appendTo, reader->rows());
     takeColumn<std::int64_t>(*reader, rows,
                              [](Sample &s, std::int64_t value) { s.time = Nanoseconds(value); });
     takeColumn<std::int64_t>(*reader, rows, [](Sample &s, std::int64_t value) { s.frame = value; });
@@ -234,7 +236,7 @@ Result<std::vector<Sample>> unpackSamples(const QByteArray &bytes, const std::st
             s.viewDisagreementM = value;
     });
     takeColumn<std::uint32_t>(*reader, rows, [](Sample &s, std::uint32_t value) { s.flags = value; });
-    return rows;
+    return {};
 }
 
 QByteArray packPoints(std::span<const ProfilePoint> points)
@@ -252,12 +254,12 @@ QByteArray packPoints(std::span<const ProfilePoint> points)
     return writer.take();
 }
 
-Result<std::vector<ProfilePoint>> unpackPoints(const QByteArray &bytes, const std::string &what)
+Result<void> unpackPoints(const QByteArray &bytes, const std::string &what, std::vector<ProfilePoint> &appendTo)
 {
     auto reader = BlobReader::open(bytes, pointsLayout, what);
     if (!reader)
         return tl::unexpected(reader.error());
-    std::vector<ProfilePoint> rows(reader->rows());
+    const auto rows = appended(appendTo, reader->rows());
     takeColumn<std::uint8_t>(*reader, rows,
                              [](ProfilePoint &p, std::uint8_t value) { p.valid = value != 0; });
     takeVector(*reader, rows, [](ProfilePoint &p) -> Eigen::Vector2d & { return p.position; });
@@ -267,7 +269,7 @@ Result<std::vector<ProfilePoint>> unpackPoints(const QByteArray &bytes, const st
          {&ProfilePoint::sigmaXM, &ProfilePoint::sigmaYM, &ProfilePoint::speedMps,
           &ProfilePoint::sigmaSpeedMps, &ProfilePoint::accelMps2, &ProfilePoint::sigmaAccelMps2})
         takeColumn<double>(*reader, rows, [member](ProfilePoint &p, double value) { p.*member = value; });
-    return rows;
+    return {};
 }
 
 QByteArray packTruth(const TruthSeries &truth)

@@ -17,7 +17,7 @@ namespace odo {
 /// kind, version and length and gives InvalidInput, naming `what`, for anything else. Pure functions, any
 /// thread.
 
-/// The most rows a chunk holds: series of observations and frame times are stored in such pieces.
+/// The most rows a chunk holds: long series are stored in such pieces, of less than a megabyte each.
 constexpr std::size_t rowsPerChunk = 8192;
 
 QByteArray packTimes(std::span<const Nanoseconds> times);
@@ -35,10 +35,10 @@ Result<void> unpackObservations(const QByteArray &bytes, const std::string &what
                                 std::vector<Observation> &appendTo);
 
 QByteArray packSamples(std::span<const Sample> samples);
-Result<std::vector<Sample>> unpackSamples(const QByteArray &bytes, const std::string &what);
+Result<void> unpackSamples(const QByteArray &bytes, const std::string &what, std::vector<Sample> &appendTo);
 
 QByteArray packPoints(std::span<const ProfilePoint> points);
-Result<std::vector<ProfilePoint>> unpackPoints(const QByteArray &bytes, const std::string &what);
+Result<void> unpackPoints(const QByteArray &bytes, const std::string &what, std::vector<ProfilePoint> &appendTo);
 
 /// Of a truth the four vectors must have equal length.
 QByteArray packTruth(const TruthSeries &truth);

@@ -5,6 +5,7 @@
 #include "core/project/names.h"
 #include "core/project/repositories.h"
 #include "core/project/series_blobs.h"
+#include "core/trajectory/imported_track.h"
 
 namespace odo {
 
@@ -86,52 +87,115 @@ Result<std::vector<Overrule>> TrialRepository::overrules(RecordId trial, RecordI
     return overrules;
 }
 
-Result<void> TrialRepository::addImportedTrack(const ImportedTrack &track)
+namespace {
+
+tl::unexpected<Error> refusedTrack(const ImportedTrack &track, const std::string &why)
 {
-    const auto refuse = [&track](const std::string &why) {
-        return fail(ErrorCode::InvalidInput, "track '" + track.file + "'", why, "import another file");
-    };
-    if (track.samples.empty())
-        return refuse("it has no samples");
-    if (track.samples.size() > maxBlobRows)
-        return refuse("it has more than " + std::to_string(maxBlobRows) + " samples");
-    for (std::size_t i = 0; i < track.samples.size(); ++i) {
-        const Sample &sample = track.samples[i];
-        if (i > 0 && sample.time <= track.samples[i - 1].time)
-            return refuse("its times do not rise");
+    return fail(ErrorCode::InvalidInput, "track '" + track.file + "'", why, "import another file");
+}
+
+/// before: the time of the sample before them.
+Result<void> checkSamples(const ImportedTrack &track, const std::vector<Sample> &samples, std::optional<Nanoseconds> before)
+{
+    for (const Sample &sample : samples) {
+        if (before && sample.time <= *before)
+            return refusedTrack(track, "its times do not rise");
+        before = sample.time;
         if ((sample.position && !sample.position->allFinite()) || !sample.covariance.allFinite() ||
             !sample.commonCovariance.allFinite())
-            return refuse("a position or its covariance is no number");
+            return refusedTrack(track, "a position or its covariance is no number");
     }
+    return {};
+}
+
+Result<void> addTrackChunks(ProjectConnection &connection, RecordId id, const ImportedTrack &track, const SampleSource &samples)
+{
+    std::optional<Nanoseconds> before;
+    for (std::size_t start = 0; start < samples.count; start += rowsPerChunk) {
+        const auto chunk = samples.chunk(start, std::min(rowsPerChunk, samples.count - start));
+        if (!chunk)
+            return tl::unexpected(chunk.error());
+        if (auto valid = checkSamples(track, *chunk, before); !valid)
+            return valid;
+        before = chunk->back().time;
+        Statement insert(connection, QStringLiteral("INSERT INTO imported_track_chunk VALUES (?,?,?)"));
+        insert.bind(id).bind(static_cast<std::int64_t>(start / rowsPerChunk));
+        if (auto done = insert.bind(packSamples(*chunk)).run(); !done)
+            return done;
+    }
+    return {};
+}
+
+} // namespace
+
+Result<void> TrialRepository::addImportedTrack(const ImportedTrack &track, const SampleSource &samples)
+{
+    const SampleSource source = samples.chunk ? samples : sourceOf(track.samples);
+    if (source.count == 0)
+        return refusedTrack(track, "it has no samples");
+    if (source.count > maxBlobRows)
+        return refusedTrack(track, "it has more than " + std::to_string(maxBlobRows) + " samples");
     return transact(m_connection, [&]() -> Result<void> {
         if (auto valid = checkName("track", track.file); !valid)
             return valid;
         if (auto valid = checkText("reading of a track", track.reading); !valid)
             return valid;
         Statement insert(m_connection, QStringLiteral("INSERT INTO imported_track (trial_id, robot_id, imported_ms, file, sha256, bytes, "
-                                                      "format, reading, samples) VALUES (?,?,?,?,?,?,?,?,?)"));
+                                                      "format, reading) VALUES (?,?,?,?,?,?,?,?)"));
         insert.bind(track.trial).bind(track.robot);
         insert.bind(static_cast<std::int64_t>(track.imported.time_since_epoch().count())).bind(track.file).bind(track.sha256);
-        return insert.bind(track.bytes).bind(track.format).bind(track.reading).bind(packSamples(track.samples)).run();
+        if (auto done = insert.bind(track.bytes).bind(track.format).bind(track.reading).run(); !done)
+            return done;
+        return addTrackChunks(m_connection, insert.insertedId(), track, source);
     });
 }
 
-Result<std::optional<ImportedTrack>> TrialRepository::currentImportedTrack(RecordId trial, RecordId robot) const
+namespace {
+
+/// Its id and all but the samples.
+Result<std::optional<std::pair<RecordId, ImportedTrack>>> newestTrack(const ProjectConnection &connection, RecordId trial, RecordId robot)
 {
-    Statement select(m_connection, QStringLiteral("SELECT imported_ms, file, sha256, bytes, format, reading, samples FROM imported_track "
-                                                  "WHERE trial_id=? AND robot_id=? ORDER BY id DESC LIMIT 1"));
+    Statement select(connection, QStringLiteral("SELECT id, imported_ms, file, sha256, bytes, format, reading FROM imported_track "
+                                                "WHERE trial_id=? AND robot_id=? ORDER BY id DESC LIMIT 1"));
     const auto found = select.bind(trial).bind(robot).firstRow();
     if (!found)
         return tl::unexpected(found.error());
     if (!*found)
         return std::nullopt;
-    ImportedTrack track{trial,          robot,          Instant(std::chrono::milliseconds(select.integer(0))),
-                        select.text(1), select.text(2), select.integer(3),
-                        select.text(4), select.text(5), {}};
-    auto samples = unpackSamples(select.blob(6), "track '" + track.file + "'");
-    if (!samples)
-        return tl::unexpected(samples.error());
-    track.samples = std::move(*samples);
+    ImportedTrack track{trial,          robot,          Instant(std::chrono::milliseconds(select.integer(1))),
+                        select.text(2), select.text(3), select.integer(4),
+                        select.text(5), select.text(6), {}};
+    return std::pair(select.integer(0), std::move(track));
+}
+
+} // namespace
+
+Result<std::optional<ImportedTrack>> TrialRepository::currentImportedTrack(RecordId trial, RecordId robot, bool withSamples) const
+{
+    auto newest = newestTrack(m_connection, trial, robot);
+    if (!newest)
+        return tl::unexpected(newest.error());
+    if (!*newest)
+        return std::nullopt;
+    auto &[id, track] = **newest;
+    NoiseLevel noise;
+    std::size_t count = 0;
+    Statement chunks(m_connection, QStringLiteral("SELECT samples FROM imported_track_chunk WHERE track_id=? ORDER BY position"));
+    auto read = chunks.bind(id).eachRow([&](const Statement &row) -> Result<void> {
+        std::vector<Sample> chunk;
+        if (auto unpacked = unpackSamples(row.blob(0), "track '" + track.file + "'", chunk); !unpacked)
+            return unpacked;
+        count += chunk.size();
+        if (count > maxBlobRows)
+            return refusedTrack(track, "it has more than " + std::to_string(maxBlobRows) + " samples");
+        noise.add(chunk);
+        if (withSamples)
+            track.samples.insert(track.samples.end(), chunk.begin(), chunk.end());
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    track.noiseM = noise.sigmaM();
     return std::optional(std::move(track));
 }
 

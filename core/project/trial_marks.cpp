@@ -116,12 +116,14 @@ Result<std::vector<std::string>> TrialRepository::removeForGood(RecordId trial)
               "trial_id=?)",
               "DELETE FROM recording WHERE trial_id=?",
               "DELETE FROM analysis_view WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
-              "DELETE FROM analysis_series WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
+              "DELETE FROM analysis_chunk WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
+              "DELETE FROM analysis_digest WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
               "DELETE FROM analysis_overrule WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
               "DELETE FROM metric WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
               "DELETE FROM spike WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
               "DELETE FROM gate_passage WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
               "DELETE FROM analysis WHERE trial_id=?", "DELETE FROM overrule WHERE trial_id=?",
+              "DELETE FROM imported_track_chunk WHERE track_id IN (SELECT id FROM imported_track WHERE trial_id=?)",
               "DELETE FROM imported_track WHERE trial_id=?", "DELETE FROM truth WHERE trial_id=?", "DELETE FROM trial_tag WHERE trial_id=?",
               "DELETE FROM trial_robot WHERE trial_id=?", "DELETE FROM trial WHERE id=?"}) {
             if (auto done = runFor(m_connection, sql, trial); !done)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // TrialRepository's part of trials that are being recorded.
+#include "core/project/analysis_digest.h"
 #include "core/project/connection.h"
 #include "core/project/named_rows.h"
 #include "core/project/recording_rows.h"
@@ -136,8 +137,7 @@ Result<std::vector<RecordingRecord>> TrialRepository::unhashed() const
 
 Result<void> TrialRepository::setHash(RecordId recording, const std::string &sha256)
 {
-    Statement update(m_connection, QStringLiteral("UPDATE recording SET sha256=? WHERE id=?"));
-    return update.bind(sha256).bind(recording).run();
+    return setRecordingHash(m_connection, recording, sha256);
 }
 
 Result<void> TrialRepository::removeUnfinished(RecordId trial)

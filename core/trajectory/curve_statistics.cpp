@@ -44,7 +44,8 @@ struct Weighted
     double value = 0, sigma = 0, seconds = 0;
 };
 
-double weightedPercentile(std::vector<Weighted> values, double share)
+/// Sorts the values.
+double weightedPercentile(std::vector<Weighted> &values, double share)
 {
     std::sort(values.begin(), values.end(),
               [](const Weighted &a, const Weighted &b) { return a.value < b.value; });
@@ -73,6 +74,7 @@ Figure percentile(const std::vector<RunInstant> &instants, const std::vector<Mot
                   Curve curve, double share)
 {
     std::vector<Weighted> values;
+    values.reserve(instants.size());
     for (const MotionStretch &motion : motions) {
         for (std::size_t i = motion.first; i <= motion.last; ++i) {
             const double from = instants[i == motion.first ? i : i - 1].timeS;

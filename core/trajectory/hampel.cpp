@@ -6,10 +6,25 @@
 
 namespace odo {
 
-double median(std::vector<double> values)
+namespace {
+
+/// Reorders the values.
+double medianOf(std::span<double> values)
 {
     if (values.empty())
         return 0;
+    constexpr std::size_t fewValues = 16;
+    if (values.size() <= fewValues) { // as most windows: sorted more quickly than parted
+        for (std::size_t i = 1; i < values.size(); ++i) {
+            const double value = values[i];
+            std::size_t at = i;
+            for (; at > 0 && values[at - 1] > value; --at)
+                values[at] = values[at - 1];
+            values[at] = value;
+        }
+        const std::size_t half = values.size() / 2;
+        return values.size() % 2 == 1 ? values[half] : (values[half] + values[half - 1]) / 2;
+    }
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
     if (values.size() % 2 == 1)
@@ -17,9 +32,14 @@ double median(std::vector<double> values)
     return (*middle + *std::max_element(values.begin(), middle)) / 2;
 }
 
+constexpr double toStandardDeviation = 1.4826;
+
+} // namespace
+
+double median(std::vector<double> values) { return medianOf(values); }
+
 double medianDeviation(const std::vector<double> &values)
 {
-    constexpr double toStandardDeviation = 1.4826;
     const double centre = median(values);
     std::vector<double> deviations;
     deviations.reserve(values.size());
@@ -32,12 +52,15 @@ std::vector<bool> hampelOutliers(std::span<const double> values, const HampelSet
 {
     std::vector<bool> outliers(values.size());
     const auto half = static_cast<std::size_t>(std::max(0, settings.halfWindow));
+    std::vector<double> window; // one memory for all of them
     for (std::size_t i = 0; i < values.size(); ++i) {
         const std::size_t first = i > half ? i - half : 0, end = std::min(values.size(), i + half + 1);
-        const std::vector<double> window(values.begin() + static_cast<std::ptrdiff_t>(first),
-                                         values.begin() + static_cast<std::ptrdiff_t>(end));
-        const double deviation = std::max(settings.leastDeviation, medianDeviation(window));
-        outliers[i] = std::abs(values[i] - median(window)) > settings.threshold * deviation;
+        window.assign(values.begin() + static_cast<std::ptrdiff_t>(first), values.begin() + static_cast<std::ptrdiff_t>(end));
+        const double centre = medianOf(window);
+        for (double &value : window)
+            value = std::abs(value - centre);
+        const double deviation = std::max(settings.leastDeviation, toStandardDeviation * medianOf(window));
+        outliers[i] = std::abs(values[i] - centre) > settings.threshold * deviation;
     }
     return outliers;
 }

@@ -2,12 +2,16 @@
 #include "core/trajectory/imported_track.h"
 
 #include "core/base/upper_median.h"
+#include "core/trajectory/metrics.h"
 #include "core/trajectory/overrules.h"
+#include "core/trajectory/profile_points.h"
 #include "core/trajectory/spike_flags.h"
+#include "core/trajectory/task_metrics.h"
 #include "core/trajectory/track_profile.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace odo {
 
@@ -20,42 +24,90 @@ constexpr int bridgedIntervals = 4;
 // A stated σ counts as ours do: it says where the scale begins, and many positions say more.
 constexpr double statedTrust = 200;
 
-Nanoseconds usualInterval(const std::vector<Sample> &samples)
+void addIntervals(const std::vector<Sample> &samples, std::vector<double> &seconds)
 {
-    std::vector<double> seconds;
     for (std::size_t i = 1; i < samples.size(); ++i)
         seconds.push_back(toSeconds(samples[i].time - samples[i - 1].time));
-    return seconds.empty() ? Nanoseconds(0) : fromSeconds(upperMedian(std::move(seconds)));
+}
+
+AnalysisOptions withUsualInterval(AnalysisOptions options, std::vector<double> seconds)
+{
+    const Nanoseconds usual = seconds.empty() ? Nanoseconds(0) : fromSeconds(upperMedian(std::move(seconds)));
+    options.longestBridgedGap = std::max(options.longestBridgedGap, bridgedIntervals * usual);
+    return options;
+}
+
+/// Where a long track is learnt from: stretches all over it.
+constexpr std::size_t learntStretches = 10, learntLength = 4096;
+
+std::size_t startOfStretch(std::size_t stretch, std::size_t count)
+{
+    return stretch * (count - learntLength) / (learntStretches - 1);
+}
+
+/// A part of a long track, with what is looked at on both sides of it: no smoother and no search reaches further.
+constexpr std::size_t partLength = 16'384, margin = 1024;
+
+const char *const chooseLonger = "choose a track with more positions";
+
+/// What all tracks of this kind are analysed with. A stated σ counts as ours do.
+MeasurementNoise importedNoise()
+{
+    MeasurementNoise measurement;
+    measurement.trust = statedTrust;
+    return measurement;
 }
 
 } // namespace
 
 std::vector<Sample> samplesOfImported(const std::vector<ImportedPosition> &track, double noiseM)
 {
-    std::vector<Sample> samples(track.size());
-    for (std::size_t i = 0; i < track.size(); ++i) {
-        Sample &sample = samples[i];
-        sample.time = track[i].time;
-        sample.frame = static_cast<std::int64_t>(i);
-        sample.position = track[i].position;
-        if (!sample.position) {
-            sample.flags = flagBit(SampleFlag::Lost);
-            continue;
-        }
-        const Eigen::Vector2d sigmaM = track[i].sigmaM.value_or(Eigen::Vector2d(noiseM, noiseM));
-        sample.covariance = sigmaM.cwiseAbs2().asDiagonal();
-    }
+    const ImportedSeries series(track, noiseM);
+    std::vector<Sample> samples;
+    samples.reserve(track.size());
+    for (std::size_t i = 0; i < series.size(); ++i)
+        samples.push_back(series.sample(i));
     return samples;
 }
 
-double estimateImportedNoiseM(const std::vector<ImportedPosition> &track)
+ImportedSeries::ImportedSeries(const std::vector<ImportedPosition> &track, double noiseM) : m_noiseM(noiseM)
+{
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    const bool isStated = std::ranges::any_of(track, [](const ImportedPosition &one) { return one.sigmaM.has_value(); });
+    m_times.reserve(track.size());
+    m_places.reserve(track.size());
+    m_sigmas.reserve(isStated ? track.size() : 0);
+    for (const ImportedPosition &one : track) {
+        m_times.push_back(one.time);
+        m_places.push_back(one.position ? std::array{one.position->x(), one.position->y()} : std::array{none, none});
+        if (isStated)
+            m_sigmas.push_back(one.sigmaM ? std::array{one.sigmaM->x(), one.sigmaM->y()} : std::array{noiseM, noiseM});
+    }
+}
+
+Sample ImportedSeries::sample(std::size_t i) const
+{
+    Sample sample;
+    sample.time = m_times[i];
+    sample.frame = static_cast<std::int64_t>(i);
+    if (std::isnan(m_places[i][0])) {
+        sample.flags = flagBit(SampleFlag::Lost);
+        return sample;
+    }
+    sample.position = Eigen::Vector2d(m_places[i][0], m_places[i][1]);
+    const auto [x, y] = m_sigmas.empty() ? std::array{m_noiseM, m_noiseM} : m_sigmas[i];
+    sample.covariance = Eigen::Vector2d(x * x, y * y).asDiagonal();
+    return sample;
+}
+
+double estimateImportedNoiseM(const std::vector<ImportedPosition> &track, const JobControl &control)
 {
     std::vector<ImportedPosition> part(track.begin(),
                                        track.begin() + static_cast<std::ptrdiff_t>(std::min(noisePositions, track.size())));
     for (ImportedPosition &one : part)
         one.sigmaM.reset();
     double noiseM = firstNoiseM;
-    for (int round = 0; round < noiseRounds; ++round) {
+    for (int round = 0; round < noiseRounds && !control.isCancelled(); ++round) {
         std::vector<Sample> samples = samplesOfImported(part, noiseM);
         const SpikeVerdict verdict = flagSpikes(samples, optionsForImported({}, samples));
         const double estimated = noiseM * std::sqrt(verdict.noise.measurementScale);
@@ -64,37 +116,201 @@ double estimateImportedNoiseM(const std::vector<ImportedPosition> &track)
     return noiseM;
 }
 
-double noiseLevelM(const std::vector<Sample> &samples)
+void NoiseLevel::add(const std::vector<Sample> &samples)
 {
-    double variances = 0, count = 0;
     for (const Sample &sample : samples) {
         if (!sample.position)
             continue;
-        variances += sample.covariance.trace();
-        count += 2;
+        m_variances += sample.covariance.trace();
+        m_count += 2;
     }
-    return count > 0 ? std::sqrt(variances / count) : 0;
+}
+
+double NoiseLevel::sigmaM() const { return m_count > 0 ? std::sqrt(m_variances / m_count) : 0; }
+
+double noiseLevelM(const std::vector<Sample> &samples)
+{
+    NoiseLevel level;
+    level.add(samples);
+    return level.sigmaM();
 }
 
 AnalysisOptions optionsForImported(AnalysisOptions options, const std::vector<Sample> &raw)
 {
-    options.longestBridgedGap = std::max(options.longestBridgedGap, bridgedIntervals * usualInterval(raw));
-    return options;
+    std::vector<double> seconds;
+    addIntervals(raw, seconds);
+    return withUsualInterval(std::move(options), std::move(seconds));
+}
+
+Result<AnalysisOptions> optionsForImported(AnalysisOptions options, const SampleSource &raw)
+{
+    std::vector<double> seconds;
+    const bool isLong = raw.count > longestAtOnce;
+    for (std::size_t stretch = 0; stretch < (isLong ? learntStretches : 1); ++stretch) {
+        const auto samples = isLong ? raw.chunk(startOfStretch(stretch, raw.count), learntLength) : raw.chunk(0, raw.count);
+        if (!samples)
+            return tl::unexpected(samples.error());
+        addIntervals(*samples, seconds);
+    }
+    return withUsualInterval(std::move(options), std::move(seconds));
 }
 
 Result<Profile> analyseImported(const std::vector<Sample> &raw, const AnalysisOptions &options)
 {
+    auto profile = analyseImported(sourceOf(raw), options, {});
+    if (!profile)
+        return profile;
+    profile->samples = raw;
+    for (std::size_t i = 0; i < raw.size(); ++i)
+        profile->samples[i].flags = profile->flags[i];
+    profile->flags.clear();
+    return profile;
+}
+
+namespace {
+
+FusedTrack trackOf(std::vector<Sample> samples, const AnalysisOptions &options)
+{
     FusedTrack track;
-    track.samples = raw;
-    track.evidence.resize(raw.size());
+    track.evidence.resize(samples.size());
+    track.samples = std::move(samples);
     applyOverrules(track.samples, options.overrules);
-    MeasurementNoise measurement;
-    measurement.trust = statedTrust;
-    auto profile = profileOfTrack(std::move(track), options, measurement);
+    return track;
+}
+
+Result<Profile> analyseAtOnce(std::vector<Sample> samples, const AnalysisOptions &options)
+{
+    auto profile = profileOfTrack(trackOf(std::move(samples), options), options, importedNoise());
+    if (!profile)
+        return profile;
+    profile->flags.reserve(profile->samples.size());
+    for (const Sample &sample : profile->samples)
+        profile->flags.push_back(sample.flags);
+    profile->samples = {};
+    return profile;
+}
+
+/// Analyses a long track part by part; what is kept of each is what its margins do not hold.
+class PartedAnalysis
+{
+public:
+    PartedAnalysis(const SampleSource &raw, const AnalysisOptions &options, const JobControl &control)
+        : m_raw(raw), m_options(options), m_control(control)
+    {
+        m_profile.points.reserve(raw.count);
+        m_profile.flags.reserve(raw.count);
+        m_instants.reserve(raw.count);
+    }
+
+    Result<Profile> run()
+    {
+        if (auto learnt = learn(); !learnt)
+            return tl::unexpected(learnt.error());
+        for (std::size_t begin = 0; begin < m_raw.count; begin += partLength) {
+            if (m_control.isCancelled())
+                return cancelled(cannotMeasurePath);
+            m_control.report(double(begin) / double(m_raw.count), "analysing position " + std::to_string(begin));
+            if (auto added = addPart(begin, std::min(begin + partLength, m_raw.count)); !added)
+                return tl::unexpected(added.error());
+        }
+        return finish();
+    }
+
+private:
+    Result<void> learn()
+    {
+        std::vector<Sample> learnt;
+        for (std::size_t stretch = 0; stretch < learntStretches; ++stretch) {
+            auto samples = m_raw.chunk(startOfStretch(stretch, m_raw.count), learntLength);
+            if (!samples)
+                return tl::unexpected(samples.error());
+            learnt.insert(learnt.end(), samples->begin(), samples->end());
+        }
+        applyOverrules(learnt, m_options.overrules);
+        m_known = flagSpikes(learnt, m_options, importedNoise());
+        return {};
+    }
+
+    Result<void> addPart(std::size_t begin, std::size_t end)
+    {
+        const std::size_t from = begin - std::min(begin, margin), to = std::min(end + margin, m_raw.count);
+        auto samples = m_raw.chunk(from, to - from);
+        if (!samples)
+            return tl::unexpected(samples.error());
+        FusedTrack track = trackOf(std::move(*samples), m_options);
+        const std::vector<bool> struck = flagSpikesKnowing(m_known, track.samples, m_options);
+        const auto points = makePoints(track.samples, struck, m_options, m_known.noise);
+        for (Spike &spike : describeSpikes(track, points, m_options.longestBridgedGap)) {
+            const std::size_t at = from + static_cast<std::size_t>(spike.sampleIndex);
+            if (at < begin || at >= end)
+                continue;
+            spike.sampleIndex = static_cast<std::int64_t>(at);
+            m_profile.spikes.push_back(std::move(spike));
+        }
+        for (std::size_t i = begin - from; i < end - from; ++i) {
+            m_profile.points.push_back(points[i]);
+            m_profile.flags.push_back(track.samples[i].flags);
+            m_used += isUsed(track.samples[i]);
+        }
+        appendInstants(std::span(track.samples).subspan(begin - from, end - begin), std::span(m_profile.points).subspan(begin), m_commonSigmaM,
+                       m_instants);
+        return {};
+    }
+
+    Result<Profile> finish()
+    {
+        if (m_used < 3 || m_instants.empty())
+            return fail(ErrorCode::Undetermined, cannotMeasurePath,
+                        "not enough data: of " + std::to_string(m_raw.count) + " frames " + std::to_string(m_used) +
+                            " give a position that can be used",
+                        chooseLonger);
+        m_profile.metrics = measureRun(m_instants);
+        m_instants = {};
+        if (m_options.task) {
+            if (auto measured = measureByTask(); !measured)
+                return tl::unexpected(measured.error());
+        }
+        return std::move(m_profile);
+    }
+
+    /// Gates, path and zones are searched along all samples.
+    Result<void> measureByTask()
+    {
+        auto samples = m_raw.chunk(0, m_raw.count);
+        if (!samples)
+            return tl::unexpected(samples.error());
+        for (std::size_t i = 0; i < samples->size(); ++i)
+            (*samples)[i].flags = m_profile.flags[i];
+        TaskFigures figures = measureTask(*m_options.task, *samples, m_profile.points);
+        m_profile.passages = std::move(figures.passages);
+        m_profile.metrics.insert(m_profile.metrics.end(), figures.metrics.begin(), figures.metrics.end());
+        return {};
+    }
+
+    const SampleSource &m_raw;
+    const AnalysisOptions &m_options;
+    const JobControl &m_control;
+    SpikeVerdict m_known;
+    Profile m_profile;
+    std::vector<RunInstant> m_instants;
+    double m_commonSigmaM = 0;
+    std::size_t m_used = 0;
+};
+
+} // namespace
+
+Result<Profile> analyseImported(const SampleSource &raw, const AnalysisOptions &options, const JobControl &control)
+{
+    if (raw.count > longestAtOnce)
+        return PartedAnalysis(raw, options, control).run();
+    auto samples = raw.chunk(0, raw.count);
+    if (!samples)
+        return tl::unexpected(samples.error());
+    auto profile = analyseAtOnce(std::move(*samples), options);
     if (profile)
         return profile;
     Error error = profile.error();
-    error.advice = "choose a track with more positions";
+    error.advice = chooseLonger;
     return tl::unexpected(error);
 }
 

@@ -2,8 +2,11 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/base/job_control.h"
 #include "core/trajectory/analyser.h"
+#include "core/trajectory/sample_source.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -15,27 +18,57 @@ namespace odo {
 /// One line of such a track.
 struct ImportedPosition
 {
+    using Pair = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>; // millions of them need not take a third more
     Nanoseconds time{0};
-    std::optional<Eigen::Vector2d> position; ///< empty: the robot was not measured then
-    std::optional<Eigen::Vector2d> sigmaM;   ///< of x and y, where it is stated
+    std::optional<Pair> position; ///< empty: the robot was not measured then
+    std::optional<Pair> sigmaM;   ///< of x and y, where it is stated
 };
 
 /// The samples of such a track; Sample::frame is the line's index, no view is named. Positions without a stated σ get noiseM.
 std::vector<Sample> samplesOfImported(const std::vector<ImportedPosition> &track, double noiseM);
 
+/// The same, held in a sixth of the memory of the samples.
+class ImportedSeries
+{
+public:
+    ImportedSeries(const std::vector<ImportedPosition> &track, double noiseM);
+    std::size_t size() const { return m_times.size(); }
+    Sample sample(std::size_t i) const;
+
+private:
+    std::vector<Nanoseconds> m_times;
+    std::vector<std::array<double, 2>> m_places; ///< NaN: not measured
+    std::vector<std::array<double, 2>> m_sigmas; ///< as stated; empty: none is, all have the noise
+    double m_noiseM;
+};
+
 /// How far the positions scatter from frame to frame, metres: what the motion noise's maximum likelihood leaves over for the
 /// measurement (estimateMotionNoise), spikes left out. At least leastImportedNoiseM.
-double estimateImportedNoiseM(const std::vector<ImportedPosition> &track);
+double estimateImportedNoiseM(const std::vector<ImportedPosition> &track, const JobControl &control = {});
 constexpr double leastImportedNoiseM = 1e-4; ///< no camera measures finer, and numbers that were rounded look as if it did
 
-/// The root mean square σ of a coordinate, metres; 0 without a position.
+/// The root mean square σ of a coordinate of all samples that were added, metres; 0 without a position.
+class NoiseLevel
+{
+public:
+    void add(const std::vector<Sample> &samples);
+    double sigmaM() const;
+
+private:
+    double m_variances = 0, m_count = 0;
+};
 double noiseLevelM(const std::vector<Sample> &samples);
 
 /// Analyses imported samples as those of our own views are: spikes, profile, metrics. Gaps are bridged over four times the usual
 /// interval where that is longer than the options say, which gets into the options. Undetermined where fewer than
 /// three positions can be used.
 Result<Profile> analyseImported(const std::vector<Sample> &raw, const AnalysisOptions &options);
+/// The same of samples that are not held: the profile has their flags in place of them. Longer tracks than longestAtOnce are analysed
+/// in parts that overlap, with the noise learnt from stretches all over the track. Asks for cancellation; reports progress.
+Result<Profile> analyseImported(const SampleSource &raw, const AnalysisOptions &options, const JobControl &control);
+constexpr std::size_t longestAtOnce = 131'072;
 /// The options with which a track of these times is analysed.
 AnalysisOptions optionsForImported(AnalysisOptions options, const std::vector<Sample> &raw);
+Result<AnalysisOptions> optionsForImported(AnalysisOptions options, const SampleSource &raw);
 
 } // namespace odo

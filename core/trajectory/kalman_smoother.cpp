@@ -86,21 +86,137 @@ struct Sight
     }
 };
 
+/// Position, velocity and acceleration along one axis, where the axes are apart. The covariance is symmetric.
+struct AxisState
+{
+    double mean[3], covariance[3][3];
+
+    AxisState(const MotionFilter::State &state, int axis)
+    {
+        for (int i = 0; i < 3; ++i) {
+            mean[i] = state.mean[2 * i + axis];
+            for (int j = 0; j < 3; ++j)
+                covariance[i][j] = state.covariance(2 * i + axis, 2 * j + axis);
+        }
+    }
+
+    void put(MotionFilter::State &into, int axis) const
+    {
+        for (int i = 0; i < 3; ++i) {
+            into.mean[2 * i + axis] = mean[i];
+            for (int j = 0; j < 3; ++j)
+                into.covariance(2 * i + axis, 2 * j + axis) = covariance[i][j];
+        }
+    }
+
+    /// F · mean, and F · covariance · Fᵀ + Q.
+    void predict(const Step &step)
+    {
+        const double t = step.dt, half = t * t / 2;
+        mean[0] += t * mean[1] + half * mean[2];
+        mean[1] += t * mean[2];
+        for (auto &row : covariance) { // covariance · Fᵀ
+            row[0] += t * row[1] + half * row[2];
+            row[1] += t * row[2];
+        }
+        for (int j = 0; j < 3; ++j) {
+            covariance[0][j] += t * covariance[1][j] + half * covariance[2][j];
+            covariance[1][j] += t * covariance[2][j];
+        }
+        for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j < 3; ++j)
+                covariance[i][j] += step.axisNoise(i, j);
+        }
+    }
+
+    /// Joseph's form, as MotionFilter::update.
+    void update(double position, double variance)
+    {
+        const double s = covariance[0][0] + variance, innovation = position - mean[0];
+        const double gain[3] = {covariance[0][0] / s, covariance[1][0] / s, covariance[2][0] / s};
+        double kept[3][3];
+        for (int i = 0; i < 3; ++i) {
+            mean[i] += gain[i] * innovation;
+            for (int j = 0; j < 3; ++j)
+                kept[i][j] = covariance[i][j] - gain[i] * covariance[0][j];
+        }
+        for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j <= i; ++j) {
+                const double below = kept[i][j] - kept[i][0] * gain[j], above = kept[j][i] - kept[j][0] * gain[i];
+                covariance[i][j] = covariance[j][i] = (below + above) / 2 + gain[i] * variance * gain[j];
+            }
+        }
+    }
+
+    double determinant() const
+    {
+        const auto &c = covariance;
+        return c[0][0] * (c[1][1] * c[2][2] - c[1][2] * c[2][1]) - c[0][1] * (c[1][0] * c[2][2] - c[1][2] * c[2][0]) +
+               c[0][2] * (c[1][0] * c[2][1] - c[1][1] * c[2][0]);
+    }
+};
+
+/// Solves symmetric · x = right for a positive definite matrix (L D Lᵀ).
+void solve(const double (&symmetric)[3][3], double (&x)[3])
+{
+    const double d0 = symmetric[0][0], l10 = symmetric[1][0] / d0, l20 = symmetric[2][0] / d0;
+    const double d1 = symmetric[1][1] - l10 * symmetric[1][0], s21 = symmetric[2][1] - l20 * symmetric[1][0], l21 = s21 / d1;
+    const double d2 = symmetric[2][2] - l20 * symmetric[2][0] - l21 * s21;
+    x[1] -= l10 * x[0];
+    x[2] -= l20 * x[0] + l21 * x[1];
+    x[2] /= d2;
+    x[1] = x[1] / d1 - l21 * x[2];
+    x[0] = x[0] / d0 - l10 * x[1] - l20 * x[2];
+}
+
+/// Whether a measurement keeps the axes apart.
+bool leavesAxesApart(const TrackNode &measurement, const MotionNoise &noise)
+{
+    return noise.slowShare == 0 && measurement.covariance(0, 1) == 0 && measurement.covariance(1, 0) == 0;
+}
+
 } // namespace
+
+double MotionFilter::logVolume() const
+{
+    if (m_state.axesApart)
+        return std::log(AxisState(m_state, 0).determinant() * AxisState(m_state, 1).determinant());
+    return std::log(estimate().covariance.determinant());
+}
 
 void MotionFilter::predict(const TrackNode &node)
 {
     if (!m_started)
         return;
     const Step step(node.timeS - m_timeS, node.travelM - m_travelM, node.struck, m_noise);
-    m_state.mean = step.applied(m_state.mean);
-    m_state.covariance = step.predicted(m_state.covariance);
+    if (m_state.axesApart) {
+        for (const int axis : {0, 1}) {
+            AxisState its(m_state, axis);
+            its.predict(step);
+            its.put(m_state, axis);
+        }
+    } else {
+        m_state.mean = step.applied(m_state.mean);
+        m_state.covariance = step.predicted(m_state.covariance);
+    }
     m_timeS = node.timeS;
     m_travelM = node.travelM;
 }
 
 double MotionFilter::distanceSquared(const TrackNode &measurement, double *logDeterminant) const
 {
+    if (m_state.axesApart && leavesAxesApart(measurement, m_noise)) {
+        double squared = 0, determinant = 1;
+        for (const int axis : {0, 1}) {
+            const double s = m_state.covariance(axis, axis) + m_noise.measurementScale * measurement.covariance(axis, axis);
+            const double innovation = measurement.position[axis] - m_state.mean[axis];
+            squared += innovation * innovation / s;
+            determinant *= s;
+        }
+        if (logDeterminant)
+            *logDeterminant = std::log(determinant);
+        return squared;
+    }
     const Sight sight(measurement, m_noise);
     const Eigen::Matrix2d s = sight.design * m_state.covariance * sight.design.transpose() + sight.noise;
     const Eigen::Vector2d innovation = measurement.position - sight.design * m_state.mean;
@@ -114,6 +230,7 @@ void MotionFilter::restart(const TrackNode &measurement, double sigmaSpeedMps, d
     const Eigen::Matrix2d covariance = m_noise.measurementScale * measurement.covariance;
     const Eigen::Matrix2d slow = Sight(measurement, m_noise).design.rightCols<2>();
     m_state = State();
+    m_state.axesApart = leavesAxesApart(measurement, m_noise);
     m_state.mean.head<2>() = measurement.position;
     m_state.covariance.topLeftCorner<2, 2>() = covariance;
     m_state.covariance.diagonal().segment<2>(2).setConstant(sigmaSpeedMps * sigmaSpeedMps);
@@ -142,6 +259,15 @@ void MotionFilter::update(const TrackNode &measurement)
         restart(measurement);
         return;
     }
+    m_state.axesApart = m_state.axesApart && leavesAxesApart(measurement, m_noise);
+    if (m_state.axesApart) {
+        for (const int axis : {0, 1}) {
+            AxisState its(m_state, axis);
+            its.update(measurement.position[axis], m_noise.measurementScale * measurement.covariance(axis, axis));
+            its.put(m_state, axis);
+        }
+        return;
+    }
     const Sight sight(measurement, m_noise);
     const Eigen::Matrix<double, 8, 2> crossed = m_state.covariance * sight.design.transpose();
     const Eigen::Matrix2d s = sight.design * crossed + sight.noise;
@@ -165,11 +291,52 @@ void filterOn(MotionFilter &filter, const TrackNode &node)
         filter.update(node);
 }
 
+/// As below, of one axis.
+void smoothAxis(MotionFilter::State &now, int axis, const AxisState &next, const Step &step)
+{
+    AxisState smoothed(now, axis), predicted = smoothed;
+    predicted.predict(step);
+    const double t = step.dt;
+    double gain[3][3], change[3][3];
+    for (int i = 0; i < 3; ++i) { // covariance · Fᵀ · predicted⁻¹, a row at a time
+        const double (&row)[3] = smoothed.covariance[i];
+        gain[i][0] = row[0] + t * row[1] + t * t / 2 * row[2];
+        gain[i][1] = row[1] + t * row[2];
+        gain[i][2] = row[2];
+        solve(predicted.covariance, gain[i]);
+    }
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            change[i][j] = 0;
+            for (int k = 0; k < 3; ++k)
+                change[i][j] += gain[i][k] * (next.covariance[k][j] - predicted.covariance[k][j]);
+        }
+    }
+    for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k)
+            smoothed.mean[i] += gain[i][k] * (next.mean[k] - predicted.mean[k]);
+        for (int j = 0; j <= i; ++j) {
+            double sum = 0;
+            for (int k = 0; k < 3; ++k)
+                sum += (change[i][k] * gain[j][k] + change[j][k] * gain[i][k]) / 2;
+            smoothed.covariance[i][j] += sum;
+            smoothed.covariance[j][i] = smoothed.covariance[i][j];
+        }
+    }
+    smoothed.put(now, axis);
+}
+
 /// What is known of a node, given what all nodes from the one behind it on say.
 MotionFilter::State smoothed(MotionFilter::State now, const TrackNode &node, const MotionFilter::State &next,
                              const TrackNode &nextNode, const MotionNoise &noise)
 {
     const Step step(nextNode.timeS - node.timeS, nextNode.travelM - node.travelM, nextNode.struck, noise);
+    now.axesApart = now.axesApart && next.axesApart;
+    if (now.axesApart) {
+        for (const int axis : {0, 1})
+            smoothAxis(now, axis, AxisState(next, axis), step);
+        return now;
+    }
     const Matrix8 predicted = step.predicted(now.covariance);
     const Matrix8 gain = predicted.ldlt().solve(step.applied(now.covariance)).transpose();
     now.mean += gain * (next.mean - step.applied(now.mean));

@@ -90,8 +90,13 @@ public:
     {
         Eigen::Matrix<double, 8, 1> mean = Eigen::Matrix<double, 8, 1>::Zero();
         Eigen::Matrix<double, 8, 8> covariance = Eigen::Matrix<double, 8, 8>::Zero();
+        /// x and y say nothing of one another, and no error is slow, as in tracks that other programs measured: each axis is then
+        /// filtered by itself, with the same result in a tenth of the time.
+        bool axesApart = false;
     };
     const State &state() const { return m_state; }
+    /// Logarithm of the determinant of the estimate's covariance.
+    double logVolume() const;
 
 private:
     MotionNoise m_noise;

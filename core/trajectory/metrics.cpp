@@ -91,9 +91,12 @@ void addCourse(std::vector<Metric> &metrics, const std::vector<RunInstant> &inst
 void addCircle(std::vector<Metric> &metrics, const std::vector<RunInstant> &instants,
                const std::vector<MotionStretch> &motions, double scale)
 {
+    // More points than that say no more of a circle: of a longer run every second, third, … is taken.
+    constexpr std::size_t mostPoints = 100'000;
+    const std::size_t stride = instants.size() / mostPoints + 1;
     std::vector<Eigen::Vector2d> path;
     for (const MotionStretch &motion : motions) {
-        for (std::size_t i = motion.first; i <= motion.last; ++i)
+        for (std::size_t i = motion.first; i <= motion.last; i += stride)
             path.push_back(instants[i].point->position);
     }
     if (const auto circle = fitCircle(path))
@@ -122,7 +125,11 @@ Figure fastestTurn(const std::vector<RunInstant> &instants, const std::vector<Mo
 
 std::vector<Metric> measureRun(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points)
 {
-    const std::vector<RunInstant> instants = validInstants(samples, points);
+    return measureRun(validInstants(samples, points));
+}
+
+std::vector<Metric> measureRun(const std::vector<RunInstant> &instants)
+{
     if (instants.empty())
         return {};
     const std::vector<MotionStretch> motions = findMotions(instants);

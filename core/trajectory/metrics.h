@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/trajectory/motion_stretches.h"
 #include "core/trajectory/profile.h"
 
 #include <vector>
@@ -19,6 +20,7 @@ namespace odo {
 /// calibration's part as a common error of scale. A maximum is that of the smoothed curve (see largest). A
 /// robot that never moves has a duration of 0, and 0 for all that hangs on it.
 std::vector<Metric> measureRun(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points);
+std::vector<Metric> measureRun(const std::vector<RunInstant> &instants);
 
 /// The calibration's error of scale, relative: in σ of each of those figures that is a length or a speed or an
 /// acceleration it is contained with its value times this. 0 without a valid point.

@@ -28,19 +28,26 @@ double crossing(const RunInstant &a, const RunInstant &b)
 
 } // namespace
 
+void appendInstants(std::span<const Sample> samples, std::span<const ProfilePoint> points, double &commonSigmaM,
+                    std::vector<RunInstant> &instants)
+{
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (samples[i].position && !isRejected(samples[i].flags))
+            commonSigmaM = std::sqrt(std::max(0.0, samples[i].commonCovariance.trace() / 2));
+        if (points[i].valid)
+            instants.push_back({toSeconds(samples[i].time), &points[i],
+                                std::max(leastMovingMps, sigmasAboveRest * points[i].sigmaSpeedMps),
+                                commonSigmaM});
+    }
+}
+
 std::vector<RunInstant> validInstants(const std::vector<Sample> &samples,
                                       const std::vector<ProfilePoint> &points)
 {
     std::vector<RunInstant> instants;
-    double commonSigma = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (samples[i].position && !isRejected(samples[i].flags))
-            commonSigma = std::sqrt(std::max(0.0, samples[i].commonCovariance.trace() / 2));
-        if (points[i].valid)
-            instants.push_back({toSeconds(samples[i].time), &points[i],
-                                std::max(leastMovingMps, sigmasAboveRest * points[i].sigmaSpeedMps),
-                                commonSigma});
-    }
+    instants.reserve(points.size());
+    double commonSigmaM = 0;
+    appendInstants(samples, points, commonSigmaM, instants);
     return instants;
 }
 

@@ -4,6 +4,7 @@
 #include "core/trajectory/profile.h"
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace odo {
@@ -28,6 +29,9 @@ struct MotionStretch
 /// The valid points in order of time.
 std::vector<RunInstant> validInstants(const std::vector<Sample> &samples,
                                       const std::vector<ProfilePoint> &points);
+/// Those of a part of a run, behind the ones before. commonSigmaM: of the last used sample so far, 0 at first.
+void appendInstants(std::span<const Sample> samples, std::span<const ProfilePoint> points, double &commonSigmaM,
+                    std::vector<RunInstant> &instants);
 
 /// No robot moves more slowly.
 inline constexpr double leastMovingMps = 0.02;

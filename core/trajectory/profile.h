@@ -117,7 +117,7 @@ constexpr double silhouettePlaneM(double heightM)
     return heightM / 2;
 }
 
-/// One robot's samples and the curves derived from them; samples and points have equal length.
+/// One robot's samples and the curves derived from them; samples (or flags) and points have equal length.
 struct Profile
 {
     std::vector<Sample> samples;
@@ -125,6 +125,8 @@ struct Profile
     std::vector<Spike> spikes;
     std::vector<Metric> metrics;
     std::vector<GatePassage> passages; ///< in order of time; none without a task
+    /// Of a long imported track, whose samples are not held: the flags of each of them. Empty otherwise.
+    std::vector<SampleFlags> flags;
     double heightM = 0; ///< of the robot's top; its median where it varies
     bool heightEstimated = false;
     double meanViewDisagreementM = 0;

@@ -165,27 +165,43 @@ void flagStandingOut(std::vector<Sample> &samples, const Round &round, MotionNoi
 
 } // namespace
 
-SpikeVerdict flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &options,
-                       const MeasurementNoise &measurement)
+namespace {
+
+/// Samples refused for another reason before are not judged again.
+std::vector<bool> openSamples(const std::vector<Sample> &samples)
 {
-    // Samples refused for another reason before are not judged again.
     std::vector<bool> open(samples.size());
     for (std::size_t i = 0; i < samples.size(); ++i)
         open[i] = samples[i].position && !isRejected(samples[i].flags);
+    return open;
+}
+
+void flagFound(std::vector<Sample> &samples, const Round &round)
+{
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (round.spike[i] && !hasFlag(samples[i].flags, SampleFlag::ByHand))
+            samples[i].flags |= flagBit(SampleFlag::Jump);
+    }
+}
+
+} // namespace
+
+SpikeVerdict flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &options,
+                       const MeasurementNoise &measurement)
+{
+    const std::vector<bool> open = openSamples(samples);
     Round round = standingOut(samples, open, options);
+    MotionNoise searchNoise;
     for (int pass = 0; pass < mostPasses; ++pass) {
-        const MotionNoise noise = pass == 0 ? firstNoise(samples, open, round, options)
-                                            : noiseBetweenChanges(samples, open, round, options);
-        Round next = searchAll(samples, open, noise, options);
+        searchNoise = pass == 0 ? firstNoise(samples, open, round, options)
+                                : noiseBetweenChanges(samples, open, round, options);
+        Round next = searchAll(samples, open, searchNoise, options);
         const bool settled = next.spike == round.spike && next.abrupt == round.abrupt;
         round = std::move(next);
         if (settled)
             break;
     }
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        if (round.spike[i] && !hasFlag(samples[i].flags, SampleFlag::ByHand))
-            samples[i].flags |= flagBit(SampleFlag::Jump);
-    }
+    flagFound(samples, round);
     const auto noiseOfUsed = [&] {
         return estimateMotionNoise(nodesOf(partedSegments(samples, round, options)), false, measurement);
     };
@@ -194,7 +210,17 @@ SpikeVerdict flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &opt
     flagStandingOut(samples, round, noise, options);
     nameLimits(samples, options);
     refuseBeyondTask(samples, options, noise.measurementScale);
-    return {countUsed(samples) == used ? noise : noiseOfUsed(), std::move(round.struck)};
+    return {countUsed(samples) == used ? noise : noiseOfUsed(), searchNoise, std::move(round.struck)};
+}
+
+std::vector<bool> flagSpikesKnowing(const SpikeVerdict &known, std::vector<Sample> &samples, const AnalysisOptions &options)
+{
+    Round round = searchAll(samples, openSamples(samples), known.searchNoise, options);
+    flagFound(samples, round);
+    flagStandingOut(samples, round, known.noise, options);
+    nameLimits(samples, options);
+    refuseBeyondTask(samples, options, known.noise.measurementScale);
+    return std::move(round.struck);
 }
 
 namespace {
@@ -247,6 +273,8 @@ std::vector<Spike> describeSpikes(const FusedTrack &track, const std::vector<Pro
     constexpr SampleFlags spikeFlags = flagBit(SampleFlag::Jump) | flagBit(SampleFlag::SpeedLimit) |
                                        flagBit(SampleFlag::AccelerationLimit) |
                                        flagBit(SampleFlag::ViewsDisagree) | flagBit(SampleFlag::LowScore);
+    if (std::ranges::none_of(track.samples, [](const Sample &sample) { return (sample.flags & spikeFlags) != 0; }))
+        return {};
     std::vector<HampelSpike> standsOut(track.samples.size());
     const auto isMeasured = [](const Sample &sample) { return sample.position.has_value(); };
     for (const TrackSegment &segment : cutIntoSegments(track.samples, longestGap, isMeasured)) {

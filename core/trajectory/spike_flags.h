@@ -13,6 +13,7 @@ namespace odo {
 struct SpikeVerdict
 {
     MotionNoise noise;        ///< of what remains, with the slow part of the measurement's
+    MotionNoise searchNoise;  ///< with which the spikes were searched
     std::vector<bool> struck; ///< of each sample: a blow changed the velocity before it
 };
 
@@ -24,6 +25,9 @@ struct SpikeVerdict
 /// are motions.
 SpikeVerdict flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &options,
                        const MeasurementNoise &measurement = {});
+
+/// The same with both noises known, from another part of the track: one search. Gives the samples that were struck.
+std::vector<bool> flagSpikesKnowing(const SpikeVerdict &known, std::vector<Sample> &samples, const AnalysisOptions &options);
 
 /// The flagged measurements in words with figures, e.g. "jump of 212 mm; stands out in position and speed".
 /// Times without a measurement (lost,

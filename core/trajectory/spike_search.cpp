@@ -31,6 +31,7 @@ constexpr double strayingSpeed = 1.2;  // m/s
 constexpr double leastSigmaM = 0.0007; // smaller ones promise more than any picture can hold
 constexpr double dearestMargin = 60;
 constexpr std::size_t mostHypotheses = 32;
+constexpr std::size_t mostLearntFrom = 50'000;
 
 enum class Decision : std::uint8_t { Follows = 0, Sped = 1, Spike = 2, Collided = 3 };
 
@@ -70,7 +71,7 @@ public:
         beginning.lastTimeS = m_track.empty() ? 0 : m_track.front().timeS;
         m_alive = {beginning};
         for (std::size_t i = 0; i < m_track.size(); ++i) {
-            if (!m_track[i].measured)
+            if (!m_track[i].measured || (m_alive.size() == 1 && followsOn(m_alive.front(), i)))
                 continue;
             m_next.clear();
             for (Hypothesis &hypothesis : m_alive)
@@ -82,14 +83,14 @@ public:
 
 private:
     /// A filter that believes everything shows how wide covariances usually are. However smooth a run was
-    /// until then, an abrupt change or a gap does not cost more than in an ordinary one.
+    /// until then, an abrupt change or a gap does not cost more than in an ordinary one. Of a long track its beginning tells it.
     void learnWhatIsUsual()
     {
         MotionNoise usual = m_noise;
         usual.jerkDensity = std::max(usual.jerkDensity, usualJerkDensity);
         MotionFilter filter(usual);
         std::vector<double> widenings, volumes;
-        for (const TrackNode &node : m_track) {
+        for (const TrackNode &node : m_track.first(std::min(m_track.size(), mostLearntFrom))) {
             if (!node.measured)
                 continue;
             filter.predict(node);
@@ -99,14 +100,10 @@ private:
                 widenings.push_back(logDeterminant - measurementLog(node));
             }
             filter.update(node);
-            volumes.push_back(logVolume(filter));
+            volumes.push_back(filter.logVolume());
         }
         m_usualWidening = median(std::move(widenings));
         m_usualVolume = median(std::move(volumes));
-    }
-    static double logVolume(const MotionFilter &filter)
-    {
-        return std::log(filter.estimate().covariance.determinant());
     }
     double measurementLog(const TrackNode &node) const
     {
@@ -194,6 +191,30 @@ private:
                m_maxSpeed * (node.timeS - hypothesis.lastTimeS);
     }
 
+    /// The usual case, without a copy of anything but the filter: the only explanation there is goes on, with nothing to doubt. Does
+    /// nothing where that is not so.
+    bool followsOn(Hypothesis &only, std::size_t i) const
+    {
+        const TrackNode &node = m_track[i];
+        if (!only.filter.started() || only.lastSpike || isTooFast(only, node))
+            return false;
+        const MotionFilter before = only.filter;
+        only.filter.predict(node);
+        double distance = 0;
+        const double price = priceOf(only.filter, node, &distance);
+        if (distance > innovationToDoubt) {
+            only.filter = before;
+            return false;
+        }
+        only.cost += price;
+        only.filter.update(node);
+        only.lastTimeS = node.timeS;
+        only.lastPosition = node.position;
+        only.recent <<= 2; // Decision::Follows
+        only.spikeVelocity.reset();
+        return true;
+    }
+
     void continueWith(const Hypothesis &hypothesis, std::size_t i)
     {
         const TrackNode &node = m_track[i];
@@ -236,7 +257,7 @@ private:
         for (Hypothesis &hypothesis : m_next)
             hypothesis.outlook =
                 hypothesis.cost + (hypothesis.filter.started() && m_next.size() > 1
-                                       ? std::max(0.0, logVolume(hypothesis.filter) - m_usualVolume)
+                                       ? std::max(0.0, hypothesis.filter.logVolume() - m_usualVolume)
                                        : 0.0);
         std::sort(m_next.begin(), m_next.end(),
                   [](const Hypothesis &a, const Hypothesis &b) { return a.outlook < b.outlook; });

@@ -126,12 +126,11 @@ Result<void> ImportTracksJob::readRobots(Project &project)
 
 Result<void> ImportTracksJob::run(const JobControl &control)
 {
+    m_control = control;
     if (auto read = readFiles(control); !read)
         return read;
     setClock();
     for (std::size_t robot = 0; robot < m_imported.size(); ++robot) {
-        if (control.isCancelled())
-            return cancelled("import of trial '" + m_settings.trial + "'");
         control.report(0.5 + 0.5 * double(robot) / double(m_imported.size()), "analysing " + m_imported[robot].robot.name);
         if (auto analysed = analyse(robot); !analysed)
             return analysed;
@@ -175,12 +174,13 @@ void ImportTracksJob::setClock()
     for (Read &read : m_read) {
         for (ImportedPosition &position : read.positions) {
             position.time -= m_zero;
-            m_times.push_back(position.time);
+            if (m_read.size() > 1)
+                m_times.push_back(position.time);
         }
+        m_trial.durationS = std::max(m_trial.durationS, toSeconds(read.positions.back().time));
     }
     std::ranges::sort(m_times);
     m_times.erase(std::unique(m_times.begin(), m_times.end()), m_times.end());
-    m_trial.durationS = toSeconds(m_times.back());
 }
 
 /// The raw measurement, and how it was read.
@@ -193,10 +193,13 @@ void ImportTracksJob::makeSamples(std::size_t robot)
         for (ImportedPosition &position : read.positions)
             position.sigmaM.reset(); // some may be stated, and some not
     }
-    source.samples = samplesOfImported(read.positions, isStated ? 0 : estimateImportedNoiseM(read.positions));
-    for (Sample &sample : source.samples)
-        sample.frame = std::ranges::lower_bound(m_times, sample.time) - m_times.begin();
-    source.reading = "positions to " + formatNumber(toMillimetres(noiseLevelM(source.samples)), 2) + " mm, " +
+    m_series.emplace_back(read.positions, isStated ? 0 : estimateImportedNoiseM(read.positions, m_control));
+    read.positions = {};
+    NoiseLevel level;
+    for (std::size_t i = 0; i < m_series.back().size(); ++i)
+        level.add({m_series.back().sample(i)});
+    source.noiseM = level.sigmaM();
+    source.reading = "positions to " + formatNumber(toMillimetres(source.noiseM), 2) + " mm, " +
                      (isStated ? "as the file says" : "as estimated from them");
     if (!read.track.empty())
         source.reading += "; the file's track '" + read.track + "'";
@@ -204,13 +207,41 @@ void ImportTracksJob::makeSamples(std::size_t robot)
         source.reading += "; its times count from " + formatNumber(toSeconds(m_zero), 3) + " s";
 }
 
+/// As they were read, or with the flags of their analysis; they end when the job is cancelled.
+SampleSource ImportTracksJob::samplesOf(std::size_t robot, std::span<const SampleFlags> flags) const
+{
+    const auto chunk = [this, robot, flags](std::size_t first, std::size_t count) -> Result<std::vector<Sample>> {
+        if (m_control.isCancelled())
+            return cancelled("import of trial '" + m_settings.trial + "'");
+        std::vector<Sample> samples;
+        samples.reserve(count);
+        for (std::size_t i = first; i < first + count; ++i) {
+            Sample &sample = samples.emplace_back(m_series[robot].sample(i));
+            if (!m_times.empty())
+                sample.frame = std::ranges::lower_bound(m_times, sample.time) - m_times.begin();
+            if (!flags.empty())
+                sample.flags = flags[i];
+        }
+        return samples;
+    };
+    return {m_series[robot].size(), chunk};
+}
+
 Result<void> ImportTracksJob::analyse(std::size_t robot)
 {
     makeSamples(robot);
     auto &[record, source, analysis] = m_imported[robot];
-    const std::vector<Sample> &raw = source.samples;
-    auto analysed = analyseByTask([&raw](const AnalysisOptions &by) { return analyseImported(raw, by); },
-                                  optionsForImported({}, raw), m_task);
+    const SampleSource raw = samplesOf(robot);
+    const auto options = optionsForImported({}, raw);
+    if (!options)
+        return tl::unexpected(options.error());
+    const double share = 0.5 / double(m_imported.size());
+    const JobControl part{m_control.cancel, [&](double fraction, const std::string &text) {
+                              m_control.report(0.5 + share * (double(robot) + fraction), text);
+                          }};
+    auto analysed = analyseByTask([&](const AnalysisOptions &by) { return analyseImported(raw, by, part); }, *options, m_task);
+    if (m_control.isCancelled())
+        return cancelled("import of trial '" + m_settings.trial + "'");
     if (!analysed) {
         Error error = analysed.error();
         error.what = robotInTrial(record.name, m_settings.trial);
@@ -251,13 +282,15 @@ Result<void> ImportTracksJob::store(Project &project)
     if (!trial)
         return tl::unexpected(trial.error());
     m_trial = std::move(*trial);
-    for (Imported &one : m_imported) {
+    for (std::size_t robot = 0; robot < m_imported.size(); ++robot) {
+        Imported &one = m_imported[robot];
         one.source.trial = one.analysis.trial = m_trial.id;
         one.source.robot = one.analysis.robot = one.robot.id;
         one.source.imported = instantNow();
-        if (auto told = project.trials().addImportedTrack(one.source); !told)
+        if (auto told = project.trials().addImportedTrack(one.source, samplesOf(robot)); !told)
             return told;
-        auto stored = project.analyses().add(std::move(one.analysis));
+        const std::vector<SampleFlags> flags = one.analysis.profile.flags;
+        auto stored = project.analyses().add(std::move(one.analysis), samplesOf(robot, flags));
         if (!stored)
             return tl::unexpected(stored.error());
         one.analysis = std::move(*stored);

@@ -3,10 +3,12 @@
 
 #include "core/exchange/track_file.h"
 #include "core/project/records.h"
+#include "core/trajectory/sample_source.h"
 #include "core/workflow/job.h"
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,8 +39,8 @@ public:
     struct Imported
     {
         RobotRecord robot;
-        ImportedTrack source;
-        AnalysisRecord analysis;
+        ImportedTrack source;    ///< without samples
+        AnalysisRecord analysis; ///< its profile has flags in place of samples
     };
     const TrialRecord &trial() const { return m_trial; }                ///< after commit
     const std::vector<Imported> &imported() const { return m_imported; } ///< after run; with their numbers after commit
@@ -52,6 +54,7 @@ private:
     Result<void> readFiles(const JobControl &control);
     void setClock();
     void makeSamples(std::size_t robot);
+    SampleSource samplesOf(std::size_t robot, std::span<const SampleFlags> flags = {}) const;
     Result<void> analyse(std::size_t robot);
     Result<void> store(Project &project);
 
@@ -62,9 +65,11 @@ private:
         std::string track; ///< what the file calls it; may be empty
         std::vector<ImportedPosition> positions;
     };
-    std::vector<Read> m_read; ///< one a robot
+    std::vector<Read> m_read; ///< one a robot; empty once there are its samples
+    std::vector<ImportedSeries> m_series; ///< one a robot
     Nanoseconds m_zero{0};    ///< what the files' clock showed where the trial's time is 0
-    std::vector<Nanoseconds> m_times; ///< of all positions: the trial's frames
+    std::vector<Nanoseconds> m_times; ///< of all positions, the trial's frames; of one robot's track they are its lines
+    JobControl m_control;             ///< of run; storing long tracks asks it too
     std::vector<Imported> m_imported;
     TrialRecord m_trial;
     std::vector<std::string> m_warnings;

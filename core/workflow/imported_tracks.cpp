@@ -10,7 +10,7 @@ Result<std::vector<ImportedTrack>> importedTracksOf(Project &project, const Tria
 {
     std::vector<ImportedTrack> tracks;
     for (const RecordId robot : trial.robots) {
-        auto track = project.trials().currentImportedTrack(trial.id, robot);
+        auto track = project.trials().currentImportedTrack(trial.id, robot, false);
         if (!track)
             return tl::unexpected(track.error());
         if (*track)

@@ -9,8 +9,8 @@ namespace odo {
 
 class Project;
 
-/// The tracks that another program measured of a trial's robots, in the robots' order; none of a trial that has recordings. On the
-/// project's thread.
+/// Where the tracks came from that another program measured of a trial's robots, without their samples, in the robots' order; none of a
+/// trial that has recordings. On the project's thread.
 Result<std::vector<ImportedTrack>> importedTracksOf(Project &project, const TrialRecord &trial);
 
 } // namespace odo

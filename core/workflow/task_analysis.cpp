@@ -16,10 +16,14 @@ double refusedShare(const Profile &profile)
     constexpr SampleFlags spike = flagBit(SampleFlag::Jump) | flagBit(SampleFlag::SpeedLimit) |
                                   flagBit(SampleFlag::AccelerationLimit);
     double measured = 0, refused = 0;
-    for (const Sample &sample : profile.samples) {
-        measured += sample.position.has_value();
-        refused += sample.position && (sample.flags & spike) != 0;
-    }
+    const auto count = [&](bool isMeasured, SampleFlags flags) {
+        measured += isMeasured;
+        refused += isMeasured && (flags & spike) != 0;
+    };
+    for (const Sample &sample : profile.samples)
+        count(sample.position.has_value(), sample.flags);
+    for (const SampleFlags flags : profile.flags)
+        count(!hasFlag(flags, SampleFlag::Lost), flags);
     return measured > 0 ? refused / measured : 0;
 }
 

@@ -33,7 +33,7 @@ struct TrackJob::Impl
     TrackOutcome outcome;
 
     Result<void> readOptions(Project &project);
-    Result<void> takeImported(std::vector<ImportedTrack> tracks);
+    Result<void> takeImported(Project &project);
     Result<void> analyseAll(std::vector<TrackedView> &tracked);
     Result<TaskAnalysis> analyseOne(std::vector<TrackedView> &tracked, std::size_t robot) const;
     void addOutcome(AnalysisRecord analysis);
@@ -70,11 +70,11 @@ Result<void> TrackJob::prepare(Project &project)
     d.views = std::move(*views);
     if (auto read = d.readOptions(project); !read)
         return read;
-    auto imported = importedTracksOf(project, d.trial);
+    const auto imported = importedTracksOf(project, d.trial);
     if (!imported)
         return tl::unexpected(imported.error());
     if (!imported->empty())
-        return d.takeImported(std::move(*imported));
+        return d.takeImported(project);
     if (!d.settings.again)
         return {};
     auto stored = storedObservations(project, d.trialName, d.views, d.robots);
@@ -109,17 +109,19 @@ Result<void> TrackJob::Impl::readOptions(Project &project)
     return {};
 }
 
-Result<void> TrackJob::Impl::takeImported(std::vector<ImportedTrack> tracks)
+Result<void> TrackJob::Impl::takeImported(Project &project)
 {
     if (!settings.again)
         return fail(ErrorCode::InvalidInput, "trial '" + trialName + "'", "its tracks were imported, so there is no video to track in",
                     "analyse them anew with: odograph track PROJECT TRIAL --again");
     for (const RobotRecord &robot : robots) {
-        const auto its = std::ranges::find(tracks, robot.id, &ImportedTrack::robot);
-        if (its == tracks.end())
+        auto its = project.trials().currentImportedTrack(trial.id, robot.id);
+        if (!its)
+            return tl::unexpected(its.error());
+        if (!*its)
             return fail(ErrorCode::NotFound, robotInTrial(robot.name, trialName), "no track of it was imported",
                         "choose a robot of the trial");
-        imported.push_back(std::move(its->samples));
+        imported.push_back(std::move((*its)->samples));
     }
     return {};
 }

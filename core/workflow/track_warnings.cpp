@@ -12,6 +12,8 @@ namespace {
 constexpr double mostOfPicture = 0.10; ///< larger no robot is in a picture that shows its task
 constexpr double hardlyEver = 0.05;    ///< of the frames
 constexpr double doubtfulStepS = 0.005;
+const std::string changedResults = "its results are not those that its analysis gave: they were changed in the file; run odograph check, or "
+                                   "analyse the trial again";
 
 double partFound(const std::vector<TrackedView> &tracked, std::size_t robot)
 {
@@ -34,9 +36,11 @@ std::string robotInTrial(const std::string &robotName, const std::string &trialN
 
 std::vector<std::string> analysisWarnings(const AnalysisRecord &analysis, const std::string &trialName)
 {
-    if (analysis.views.empty())
-        return {}; // an imported track: no camera could be moved
-    auto sentences = describeUnseenStretches(analysis.profile, analysis.options.longestBridgedGap);
+    std::vector<std::string> sentences;
+    if (!analysis.views.empty()) // of an imported track no camera could be moved
+        sentences = describeUnseenStretches(analysis.profile, analysis.options.longestBridgedGap);
+    if (analysis.proof == AnalysisRecord::Proof::Broken)
+        sentences.insert(sentences.begin(), changedResults);
     for (std::string &sentence : sentences)
         sentence = robotInTrial(analysis.robotName, trialName) + ": " + sentence;
     return sentences;

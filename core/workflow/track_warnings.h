@@ -13,8 +13,8 @@ namespace odo {
 /// How a robot is named in sentences.
 std::string robotInTrial(const std::string &robotName, const std::string &trialName);
 
-/// Whole sentences on an analysis that gave figures, but not of all of the task. From what is stored, so that
-/// they can be told at any time. None on an imported track.
+/// Whole sentences on an analysis whose results were changed since, or that gave some, but not of all of the task (never of
+/// an imported track). From what is stored, so that they can be told at any time.
 std::vector<std::string> analysisWarnings(const AnalysisRecord &analysis, const std::string &trialName);
 
 /// Whole sentences on views that are joined although how they lie against one another in time is not known,

@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
+#include <sqlite3.h>
 
 using namespace odo;
 using namespace odo::test;
@@ -159,6 +160,39 @@ private Q_SLOTS:
             QCOMPARE(done.err.count('\n'), 1);
             QVERIFY(!done.err.contains("\u202E"));
         }
+    }
+    /// A metric that somebody has changed with a database program: found by both checks, told wherever it is shown.
+    void aForgedMetricIsTold()
+    {
+        const auto change = [this](const char *factor) {
+            sqlite3 *database = nullptr;
+            QCOMPARE(sqlite3_open(m_project.toUtf8().constData(), &database), SQLITE_OK);
+            const QByteArray sql = QByteArray("UPDATE metric SET value=value*") + factor +
+                                   " WHERE name='duration' AND analysis_id IN (SELECT analysis.id FROM analysis JOIN trial ON trial.id=trial_id WHERE trial.name='slow')";
+            QCOMPARE(sqlite3_exec(database, sql.constData(), nullptr, nullptr, nullptr), SQLITE_OK);
+            sqlite3_close(database);
+        };
+        const QString notice = u"robot 'red' in trial 'slow': its results are not those that its analysis gave: they were changed in the file; run odograph check, or "
+                               "analyse the trial again"_s;
+        const auto warnings = [&] { return good({u"show"_s, m_project, u"slow"_s, u"--json"_s}).json()[u"warnings"_s].toVariant().toStringList(); };
+        QCOMPARE(good({u"check"_s, m_project, u"--quick"_s}).out, QByteArray("All is well.\n"));
+        QVERIFY(!warnings().contains(notice));
+        change("0.5");
+        for (const QStringList &check : {QStringList{u"check"_s, m_project, u"--json"_s}, QStringList{u"check"_s, m_project, u"--quick"_s, u"--json"_s}}) {
+            const ProgramRun done = runProgram(check);
+            QCOMPARE(done.exitStatus, 1);
+            const QJsonArray problems = done.json()[u"problems"_s].toArray();
+            QCOMPARE(problems.size(), 2);
+            QCOMPARE(problems[0][u"what"_s].toString(), u"the metrics, spikes or settings of robot 'red' are not those that its analysis gave"_s);
+            QCOMPARE(problems[0][u"where"_s].toString(), u"trial 'slow'"_s);
+            QVERIFY(problems[1][u"what"_s].toString().startsWith(u"metric 'duration' of robot 'red' is stored as 1.9"_s));
+            QVERIFY(problems[1][u"what"_s].toString().contains(u" s, its positions give 3.9"_s));
+        }
+        QVERIFY2(warnings().contains(notice), qPrintable(warnings().join(u'\n')));
+        QVERIFY(good({u"show"_s, m_project, u"slow"_s}).err.contains(notice.toUtf8()));
+        QCOMPARE(good({u"reprocess"_s, m_project, u"slow"_s, u"--keep"_s}).exitStatus, 0);
+        QVERIFY(warnings().isEmpty());
+        QCOMPARE(good({u"check"_s, m_project, u"--quick"_s}).out, QByteArray("All is well.\n"));
     }
 };
 

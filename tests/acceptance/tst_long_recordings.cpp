@@ -10,9 +10,6 @@
 #include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <QTest>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 using namespace odo;
 using namespace odo::test;
@@ -40,34 +37,6 @@ SimulatedScene smallTestbed()
                          (loopS - 1.0) / 6);
     scene.robots.push_back(robot);
     return scene;
-}
-
-struct MeasuredRun
-{
-    int exitStatus = -1;
-    double megabytes = 0; ///< most memory that was resident at once
-};
-
-/// Runs the program to its end, its words thrown away.
-MeasuredRun runMeasured(const QStringList &arguments)
-{
-    std::vector<QByteArray> words{qgetenv("ODOGRAPH_PROGRAM")};
-    for (const QString &argument : arguments)
-        words.push_back(argument.toUtf8());
-    std::vector<char *> pointers;
-    for (QByteArray &word : words)
-        pointers.push_back(word.data());
-    pointers.push_back(nullptr);
-    const pid_t child = fork();
-    if (child == 0) {
-        execv(pointers[0], pointers.data());
-        _exit(127);
-    }
-    int status = -1;
-    rusage usage{};
-    if (child < 0 || wait4(child, &status, 0, &usage) != child)
-        return {};
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, static_cast<double>(usage.ru_maxrss) / 1024};
 }
 
 } // namespace

@@ -182,6 +182,23 @@ private Q_SLOTS:
         const auto stopped = readTrackFile(fileOf(text), control);
         QVERIFY(!stopped && stopped.error().code == ErrorCode::Cancelled);
     }
+    /// A character that begins in one block of the file and ends in the next; and what begins and never ends.
+    void charactersAcrossBlocks()
+    {
+        const QByteArray table = "t_s,x_mm,y_mm\n0,0,-1000\n0.1,500,-1500\n0.2,1000,-2000\n";
+        for (qsizetype before = (1 << 16) - 4; before <= 1 << 16; ++before)
+            QCOMPARE(shown('#' + QByteArray(before - 1, 'x') + "\u4e2d\n" + table), QStringLiteral("csv") + same);
+        QCOMPARE(shown(table + "\xe4\xb8"), QStringLiteral("': it is not a UTF-8 text file; save it again as UTF-8 text"));
+    }
+    /// No file takes more memory than the positions in it, and those are bounded.
+    void tooLong()
+    {
+        QCOMPARE(shown("t_s,x_mm,y_mm\n" + QByteArray(9 << 20, '1')), QStringLiteral(":2: it is longer than 8 MiB; check that it is the right file"));
+        QByteArray text = "t_s,x_mm,y_mm\n";
+        for (int i = 0; i <= 1'500'000; ++i)
+            text += QByteArray::number(i) + "e-3,1,2\n";
+        QCOMPARE(shown(text), QStringLiteral(":1500002: the file has more than 1.5 million places; check that all lines are of one run"));
+    }
     /// Of a line, of a header, and of a whole table of which three are meant.
     void aMillionColumns()
     {

@@ -26,8 +26,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t coun
     roundTrip<RawTime>(bytes, unpackRawTimes, packRawTimes, false);
     roundTrip<ClockReading>(bytes, unpackClockReadings, packClockReadings, false);
     roundTrip<Observation>(bytes, unpackObservations, packObservations, false);
-    static_cast<void>(unpackSamples(bytes, "samples"));
-    static_cast<void>(unpackPoints(bytes, "points"));
+    roundTrip<Sample>(bytes, unpackSamples, packSamples, false);
+    roundTrip<ProfilePoint>(bytes, unpackPoints, packPoints, false);
     TruthSeries truth;
     static_cast<void>(unpackTruth(bytes, "truth", truth));
     CalibrationPicture picture;

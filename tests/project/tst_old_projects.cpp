@@ -211,6 +211,10 @@ private:
         QCOMPARE(trial->tags.size(), std::size_t(format >= 10 ? 1 : 0));
         QCOMPARE(project.tasks().scoring(task->id)->size(), std::size_t(format >= 10 ? 1 : 0));
         QVERIFY(!project.trials().currentImportedTrack(trial->id, 1)->has_value());
+        const auto imported = project.trials().currentImportedTrack(project.trials().find("run 2")->id, 1);
+        QVERIFY2(imported, imported ? "" : imported.error().message().c_str());
+        QCOMPARE(imported->has_value(), format >= 11);
+        QCOMPARE(imported->value_or(ImportedTrack()).samples.size(), std::size_t(format >= 11 ? 3 : 0));
     }
     static void analysisIsKept(Project &project, int format)
     {
@@ -225,6 +229,8 @@ private:
         QCOMPARE(analysis.options.overrules.size(), format >= 2 ? std::size_t(1) : std::size_t(0));
         QVERIFY(analysis.profile.passages.empty());
         QVERIFY((analysis.registrations == std::vector<RecordId>{1, 0}));
+        QCOMPARE(analysis.proof, AnalysisRecord::Proof::NotKept); // nobody knows what it was made from
+        QCOMPARE(project.analyses().countWithoutDigest().value(), 1);
     }
 };
 

@@ -88,7 +88,7 @@ private Q_SLOTS:
         const auto connection = ProjectConnection::open(m_file, DatabaseAccess::ReadOnly);
         for (const char *table :
              {"observation_series", "observation_chunk", "raw_time_chunk", "frame_time_chunk", "recording",
-              "analysis", "analysis_series", "metric", "spike", "truth", "imported_track"}) {
+              "analysis", "analysis_chunk", "analysis_digest", "metric", "spike", "truth", "imported_track", "imported_track_chunk"}) {
             const QString count = QStringLiteral("SELECT COUNT(*) FROM %1").arg(QLatin1String(table));
             QVERIFY2((*connection)->number(count).value() == 0, table);
         }

@@ -24,6 +24,16 @@ ProgramRun runCommand(const QString &program, const QStringList &arguments);
 /// Runs the built odograph (ODOGRAPH_PROGRAM) likewise.
 ProgramRun runProgram(const QStringList &arguments);
 
+struct MeasuredRun
+{
+    int exitStatus = -1;
+    double megabytes = 0; ///< most memory that was resident at once
+    double seconds = 0;
+};
+
+/// Runs it to its end, its words thrown away.
+MeasuredRun runMeasured(const QStringList &arguments);
+
 /// SHA-256 of a file's content; empty when it cannot be read.
 QByteArray fileHash(const QString &file);
 

@@ -105,6 +105,59 @@ private Q_SLOTS:
         QVERIFY(std::abs(metricOf(*profile, "mean_speed") - 0.1) < 0.001);
         QCOMPARE(optionsForImported({}, samplesOfImported(circle(0), 0.001)).longestBridgedGap, AnalysisOptions().longestBridgedGap);
     }
+    /// A long track is analysed in parts: as it would be at once, its spikes where they are, and never with much of it in memory.
+    void longTracksArePartedUnseen()
+    {
+        std::vector<ImportedPosition> track = circle(0.001, 2000, 100);
+        const std::size_t spikes[] = {10, 16'383, 32'768, 65'536, 199'000}; // where parts begin too
+        for (const std::size_t at : spikes)
+            *track[at].position += Eigen::Vector2d(0.3, 0);
+        const ImportedSeries series(track, 0.001);
+        std::size_t asked = 0, most = 0;
+        const SampleSource source{series.size(), [&](std::size_t first, std::size_t count) -> Result<std::vector<Sample>> {
+                                      asked += count;
+                                      most = std::max(most, count);
+                                      std::vector<Sample> samples;
+                                      for (std::size_t i = first; i < first + count; ++i)
+                                          samples.push_back(series.sample(i));
+                                      return samples;
+                                  }};
+        QVERIFY(source.count > longestAtOnce);
+        const auto profile = analyseImported(source, {}, {});
+        QVERIFY(profile);
+        QVERIFY(profile->samples.empty());
+        QCOMPARE(profile->flags.size(), source.count);
+        QCOMPARE(profile->points.size(), source.count);
+        QVERIFY2(asked < source.count * 5 / 4 + 50'000, qPrintable(QString::number(asked))); // each once, beside margins and what is learnt from
+        QVERIFY2(most < 20'000, qPrintable(QString::number(most)));
+        for (const std::size_t at : spikes)
+            QVERIFY2(hasFlag(profile->flags[at], SampleFlag::Jump), qPrintable(QString::number(at)));
+        QVERIFY(std::ranges::any_of(profile->spikes, [](const Spike &spike) { return spike.sampleIndex == 65'536 && spike.reason.starts_with("jump of 300 mm"); }));
+        QVERIFY(std::abs(metricOf(*profile, "mean_speed") - 1) < 0.001);
+        QVERIFY(std::abs(metricOf(*profile, "duration") - 2000) < 0.1);
+
+        // What is around the end of a part, at once.
+        constexpr std::size_t from = 60'000, count = 11'000;
+        const auto around = analyseImported(*source.chunk(from, count), {});
+        QVERIFY(around);
+        for (std::size_t i = 4000; i < 7000; ++i) {
+            const ProfilePoint &at = profile->points[from + i], &expected = around->points[i];
+            // The noise was learnt from other stretches, so that the curve bends a little otherwise: by less than a third of its σ.
+            QVERIFY((at.position - expected.position).norm() < expected.sigmaXM / 3);
+            QVERIFY(std::abs(at.speedMps - expected.speedMps) < expected.sigmaSpeedMps / 3);
+        }
+    }
+    void longTracksAreCancelled()
+    {
+        const ImportedSeries series(circle(0.001, 2000, 100), 0.001);
+        JobControl control;
+        const SampleSource source{series.size(), [&](std::size_t first, std::size_t count) -> Result<std::vector<Sample>> {
+                                      return std::vector<Sample>(count, series.sample(first));
+                                  }};
+        control.cancel.cancel();
+        const auto stopped = analyseImported(source, {}, control);
+        QVERIFY(!stopped && stopped.error().code == ErrorCode::Cancelled);
+    }
     void tooFew()
     {
         const auto profile = analyseImported(samplesOfImported(circle(0.001, 0.05), 0.001), {});

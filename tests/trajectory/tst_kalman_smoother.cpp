@@ -68,6 +68,39 @@ class TestKalmanSmoother : public QObject
 {
     Q_OBJECT
 private Q_SLOTS:
+    /// A covariance of nearly nothing between the axes takes the way in which they are not apart.
+    void axesApartGiveTheSame()
+    {
+        auto apart = track(400, 0.02, 0.004, [](double t) { return Eigen::Vector2d(std::sin(t), 0.3 * t * t); }, 5);
+        for (std::size_t i = 0; i < apart.size(); ++i) {
+            apart[i].covariance(1, 1) *= 1.5;
+            apart[i].measured = i % 7 != 3;
+            apart[i].struck = i == 200;
+        }
+        auto joined = apart;
+        for (TrackNode &node : joined)
+            node.covariance(0, 1) = node.covariance(1, 0) = 1e-20;
+        const MotionNoise noise{20, 1.3};
+        const auto one = smoothed(apart, noise), other = smoothed(joined, noise);
+        for (std::size_t i = 0; i < one.size(); ++i) {
+            QVERIFY((one[i].mean - other[i].mean).norm() < 1e-9 * (1 + other[i].mean.norm()));
+            QVERIFY((one[i].covariance - other[i].covariance).norm() < 1e-8 * other[i].covariance.norm());
+        }
+        MotionFilter first(noise), second(noise);
+        for (std::size_t i = 0; i < apart.size(); ++i) {
+            first.predict(apart[i]);
+            second.predict(joined[i]);
+            if (first.started()) {
+                double a = 0, b = 0;
+                const double distance = first.distanceSquared(apart[i], &a);
+                QVERIFY(std::abs(distance - second.distanceSquared(joined[i], &b)) < 1e-8 * (1 + distance));
+                QVERIFY(std::abs(a - b) < 1e-9);
+                QVERIFY(std::abs(first.logVolume() - second.logVolume()) < 1e-7);
+            }
+            first.update(apart[i]);
+            second.update(joined[i]);
+        }
+    }
     void constantVelocityIsExact()
     {
         // Irregular times, no noise: position and velocity must come out to rounding.

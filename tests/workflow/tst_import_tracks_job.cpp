@@ -109,7 +109,7 @@ private Q_SLOTS:
         QCOMPARE(source.sha256, QCryptographicHash::hash(text, QCryptographicHash::Sha256).toHex().toStdString());
         QCOMPARE(source.bytes, std::int64_t(text.size()));
         QCOMPARE(source.format, std::string("csv"));
-        const double noiseM = noiseLevelM(source.samples);
+        const double noiseM = source.noiseM;
         QVERIFY2(noiseM > 0.0001 && noiseM < 0.001, qPrintable(QString::number(noiseM)));
         QCOMPARE(source.reading, "positions to " + formatNumber(1e3 * noiseM, 2) + " mm, as estimated from them");
         QCOMPARE(m_project->changes()->front().words, std::string("import trial lap"));

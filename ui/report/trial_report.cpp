@@ -240,6 +240,13 @@ void TrialPage::paint(const QRectF &sheet)
         paintPlaces(room.adjusted(0, 40, 0, -room.height() * 0.35));
         return;
     }
+    if (m_analysis->proof == AnalysisRecord::Proof::Broken) {
+        constexpr double noticeHeight = 22;
+        drawLine(m_painter, QRectF(room.left(), room.top(), room.width(), noticeHeight),
+                 TrialReportWords::tr("Do not rely on these results: they were changed in the file since they were analysed."),
+                 reportFont(bodySize + 2), ThemeColours::of(reportPalette()).spike);
+        room.setTop(room.top() + noticeHeight);
+    }
     drawFigures(m_painter, QRectF(room.left(), room.top(), room.width(), figuresHeight), figures());
     room.setTop(room.top() + figuresHeight + gap);
     QRectF tables = room;

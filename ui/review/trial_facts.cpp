@@ -191,6 +191,13 @@ QList<Fact> trialFacts(const TrialScene &scene)
     for (std::size_t robot = 0; robot < scene.robots.size(); ++robot)
         facts.append(
             {TrialFactsWords::tr("Robot"), robotText(scene.robots[robot]), {}, explainHeight(scene, robot)});
+    for (const SceneRobot &robot : scene.robots) {
+        if (robot.analysis && robot.analysis->proof == AnalysisRecord::Proof::Broken)
+            facts.append({TrialFactsWords::tr("Results"),
+                          TrialFactsWords::tr("%1: changed in the file since they were analysed. Analyse the trial again.")
+                              .arg(QString::fromStdString(robot.robot.name)),
+                          {TrialFactsWords::tr("do not rely on them"), BadgeState::Bad}});
+    }
     add(TrialFactsWords::tr("Date"), dateText(trial.date));
     if (scene.layout)
         add(TrialFactsWords::tr("Testbed"),

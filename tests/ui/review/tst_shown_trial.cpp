@@ -124,7 +124,7 @@ private Q_SLOTS:
         const auto trial = m_project->trials().find("Trial 2");
         const auto connection = ProjectConnection::open(m_file, DatabaseAccess::ReadWrite);
         QVERIFY((*connection)
-                    ->execute(QStringLiteral("UPDATE analysis_series SET samples=x'00' WHERE analysis_id IN "
+                    ->execute(QStringLiteral("UPDATE analysis_chunk SET samples=x'00' WHERE analysis_id IN "
                                              "(SELECT id FROM analysis WHERE trial_id=%1)")
                                   .arg(trial->id)));
         QSignalSpy failed(m_page.get(), &ReviewPage::failed);

@@ -92,7 +92,7 @@ Result<void> copyTrial(RowCopier &rows, ProjectConnection &connection, const Sou
     }
     done.push_back(rows.copy(QStringLiteral("analysis"), QStringLiteral("id=") + text(source.analysis),
                              {{QStringLiteral("id"), id}, {QStringLiteral("trial_id"), id}}));
-    for (const char *table : {"analysis_view", "analysis_series", "spike"})
+    for (const char *table : {"analysis_view", "analysis_chunk", "spike"})
         done.push_back(rows.copy(QString::fromLatin1(table),
                                  QStringLiteral("analysis_id=") + text(source.analysis),
                                  {{QStringLiteral("analysis_id"), id}}));

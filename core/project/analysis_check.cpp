@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/analysis_check.h"
+
+#include "core/project/analysis_digest.h"
+#include "core/project/connection.h"
+#include "core/project/repositories.h"
+#include "core/trajectory/metrics.h"
+#include "core/trajectory/task_metrics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace odo {
+
+namespace {
+
+constexpr double relativeDifference = 1e-6; // what rounding leaves is less by far, what anybody notices is more
+const std::string trackAgain = "track the trial again";
+
+std::string wordsOf(DigestPart part, const std::string &robot)
+{
+    const std::string itsOwn = " of robot '" + robot + "' are not those that its analysis gave";
+    const std::string since = " changed since robot '" + robot + "' was analysed";
+    switch (part) {
+    case DigestPart::Measurements:
+        return "the measurements have" + since;
+    case DigestPart::Recordings:
+        return "the recordings or their synchronisation have" + since;
+    case DigestPart::Registrations:
+        return "the registrations have" + since;
+    case DigestPart::Task:
+        return "the task has" + since;
+    case DigestPart::Positions:
+        return "the positions" + itsOwn;
+    case DigestPart::Results:
+        return "the metrics, spikes or settings" + itsOwn;
+    }
+    return {};
+}
+
+bool differ(double a, double b)
+{
+    return std::abs(a - b) > relativeDifference * std::max({std::abs(a), std::abs(b), 1e-3});
+}
+
+std::string withUnit(double value, const Metric &metric)
+{
+    return formatNumber(value, 6) + (metric.unit == "1" ? "" : " " + metric.unit);
+}
+
+/// Looks through one trial after the other, with what they share.
+class AnalysisCheck
+{
+public:
+    AnalysisCheck(Project &project, const ProjectConnection &connection, bool isThorough, std::vector<ProjectProblem> &problems)
+        : m_project(project), m_connection(connection), m_isThorough(isThorough), m_problems(problems), m_digests(connection)
+    {
+    }
+
+    Result<void> prepare();
+    Result<void> look(const TrialName &trial);
+
+private:
+    struct Measured
+    {
+        RecordId recording = 0, robot = 0; ///< recording 0: an imported track
+    };
+    struct Newest
+    {
+        RecordId analysis = 0, robot = 0;
+        std::string robotName;
+    };
+    void report(const std::string &what, const std::string &advice) { m_problems.push_back({what, m_where, advice}); }
+    void report(const Error &error, const std::string &advice) { report(error.what + ": " + error.why, advice); }
+    Result<bool> compareDigests(const Newest &newest);
+    void lookAtMeasurements(const TrialName &trial);
+    void lookAtObservations(const RecordingRecord &recording, RecordId robot);
+    void lookAtMetrics(const TrialName &trial);
+    void compareMetrics(const AnalysisRecord &analysis);
+
+    Project &m_project;
+    const ProjectConnection &m_connection;
+    const bool m_isThorough;
+    std::vector<ProjectProblem> &m_problems;
+    AnalysisDigests m_digests;
+    std::map<RecordId, std::vector<Newest>> m_newest;     ///< by trial
+    std::map<RecordId, std::vector<Measured>> m_measured; ///< by trial
+    std::map<RecordId, std::string> m_robotNames;
+    std::map<RecordId, TaskRecord> m_tasks;
+    std::set<RecordId> m_changed; ///< analyses of the trial that differ from their digests
+    std::string m_where;
+};
+
+/// Reads of all trials which robots were measured and analysed.
+Result<void> AnalysisCheck::prepare()
+{
+    Statement newest(m_connection, QStringLiteral("SELECT trial_id, MAX(analysis.id), robot_id, robot.name FROM analysis JOIN robot "
+                                                  "ON robot.id=robot_id GROUP BY trial_id, robot_id"));
+    auto read = newest.eachRow([this](const Statement &row) -> Result<void> {
+        m_newest[row.integer(0)].push_back({row.integer(1), row.integer(2), row.text(3)});
+        return {};
+    });
+    if (!read)
+        return read;
+    Statement measured(m_connection, QStringLiteral("SELECT DISTINCT trial_id, recording_id, robot_id FROM observation_series JOIN recording "
+                                                    "ON recording.id=recording_id UNION SELECT DISTINCT trial_id, 0, robot_id FROM imported_track"));
+    read = measured.eachRow([this](const Statement &row) -> Result<void> {
+        m_measured[row.integer(0)].push_back({row.integer(1), row.integer(2)});
+        return {};
+    });
+    if (!read)
+        return read;
+    const auto robots = m_project.robots().all();
+    for (const RobotRecord &robot : robots.value_or(std::vector<RobotRecord>()))
+        m_robotNames[robot.id] = robot.name;
+    const auto tasks = m_project.tasks().all();
+    for (const TaskRecord &task : tasks.value_or(std::vector<TaskRecord>()))
+        m_tasks[task.id] = task;
+    return {};
+}
+
+/// Whether the digests are there and all right.
+Result<bool> AnalysisCheck::compareDigests(const Newest &newest)
+{
+    const auto outcome = m_digests.compare(newest.analysis, allDigestParts);
+    if (!outcome)
+        return tl::unexpected(outcome.error());
+    for (const DigestPart part : outcome->changed)
+        report(wordsOf(part, newest.robotName), "restore the project from a backup copy, or " + trackAgain);
+    if (!outcome->changed.empty())
+        m_changed.insert(newest.analysis);
+    return outcome->isKept && outcome->changed.empty();
+}
+
+Result<void> AnalysisCheck::look(const TrialName &trial)
+{
+    m_where = "trial '" + trial.name + "'";
+    m_changed.clear();
+    std::set<RecordId> proved; // robots
+    for (const Newest &newest : m_newest[trial.id]) {
+        const auto isProved = compareDigests(newest);
+        if (!isProved)
+            return tl::unexpected(isProved.error());
+        if (*isProved)
+            proved.insert(newest.robot);
+    }
+    const auto isProved = [&](const auto &one) { return proved.contains(one.robot); };
+    if (m_isThorough || !std::ranges::all_of(m_measured[trial.id], isProved))
+        lookAtMeasurements(trial);
+    if (m_isThorough || !std::ranges::all_of(m_newest[trial.id], isProved))
+        lookAtMetrics(trial);
+    return {};
+}
+
+void AnalysisCheck::lookAtMeasurements(const TrialName &trial)
+{
+    const auto recordings = m_project.trials().recordings(trial.id);
+    if (!recordings)
+        return report(recordings.error(), "restore the project from a backup copy");
+    for (const Measured &measured : m_measured[trial.id]) {
+        const auto recording = std::ranges::find(*recordings, measured.recording, &RecordingRecord::id);
+        if (recording != recordings->end()) {
+            lookAtObservations(*recording, measured.robot);
+            continue;
+        }
+        if (const auto track = m_project.trials().currentImportedTrack(trial.id, measured.robot); !track)
+            report(track.error(), "restore the project from a backup copy");
+    }
+}
+
+void AnalysisCheck::lookAtObservations(const RecordingRecord &recording, RecordId robot)
+{
+    const auto series = m_project.trials().currentObservations(recording.id, robot);
+    if (!series)
+        return report(series.error(), trackAgain);
+    if (!*series)
+        return;
+    const auto frames = static_cast<std::int64_t>(recording.frameTimes.size());
+    const auto &observations = (*series)->observations;
+    const bool outside = std::ranges::any_of(observations, [frames](const Observation &o) { return o.frame < 0 || o.frame >= frames; });
+    if (outside || static_cast<std::int64_t>(observations.size()) > frames)
+        report("view '" + recording.cameraName + "' has " + std::to_string(frames) + " frames, but the observations of '" +
+                   m_robotNames[robot] + "' (" + std::to_string(observations.size()) + ") do not fit them",
+               trackAgain);
+}
+
+void AnalysisCheck::lookAtMetrics(const TrialName &trial)
+{
+    const auto analyses = m_project.analyses().current(trial.id);
+    if (!analyses)
+        return report(analyses.error(), trackAgain);
+    for (const AnalysisRecord &analysis : *analyses) {
+        // What another version computed otherwise, and stored with a digest that is right, nobody has changed.
+        const bool isRight = analysis.proof != AnalysisRecord::Proof::NotKept && !m_changed.contains(analysis.id);
+        if (!isRight || analysis.softwareVersion == ODOGRAPH_VERSION)
+            compareMetrics(analysis);
+    }
+}
+
+void AnalysisCheck::compareMetrics(const AnalysisRecord &analysis)
+{
+    const Profile &profile = analysis.profile;
+    std::vector<Metric> computed = measureRun(profile.samples, profile.points);
+    if (const auto task = m_tasks.find(analysis.task); task != m_tasks.end()) {
+        const TaskFigures figures = measureTask(task->second.task, profile.samples, profile.points);
+        computed.insert(computed.end(), figures.metrics.begin(), figures.metrics.end());
+    }
+    const auto named = [&](const Metric &metric) { return "metric '" + metric.name + "' of robot '" + analysis.robotName + "'"; };
+    for (const Metric &stored : profile.metrics) {
+        const auto its = std::ranges::find(computed, stored.name, &Metric::name);
+        if (its == computed.end())
+            report(named(stored) + " is stored, but its positions give none", trackAgain);
+        else if (stored.unit != its->unit || differ(stored.value, its->value))
+            report(named(stored) + " is stored as " + withUnit(stored.value, stored) + ", its positions give " + withUnit(its->value, *its),
+                   trackAgain);
+        else if (stored.sigma.has_value() != its->sigma.has_value() || differ(stored.sigma.value_or(0), its->sigma.value_or(0)))
+            report("the standard deviation of " + named(stored) + " is stored as " + withUnit(stored.sigma.value_or(0), stored) +
+                       ", its positions give " + withUnit(its->sigma.value_or(0), *its),
+                   trackAgain);
+    }
+    if (!m_changed.contains(analysis.id))
+        return; // a metric that an older version did not know yet is missing rightly
+    for (const Metric &metric : computed) {
+        if (std::ranges::find(profile.metrics, metric.name, &Metric::name) == profile.metrics.end())
+            report(named(metric) + " is missing, its positions give " + withUnit(metric.value, metric), trackAgain);
+    }
+}
+
+} // namespace
+
+Result<void> checkAnalyses(Project &project, const ProjectConnection &connection, bool isThorough, const JobControl &control,
+                           std::vector<ProjectProblem> &problems)
+{
+    const auto trials = project.trials().names();
+    if (!trials)
+        return tl::unexpected(trials.error());
+    AnalysisCheck check(project, connection, isThorough, problems);
+    if (auto prepared = check.prepare(); !prepared)
+        return prepared;
+    double done = 0;
+    for (const TrialName &trial : *trials) {
+        if (control.isCancelled())
+            return cancelled("check of the project");
+        control.report(done++ / double(trials->size()), "checking " + trial.name);
+        if (trial.unfinished)
+            continue;
+        if (auto looked = check.look(trial); !looked)
+            problems.push_back({looked.error().what + ": " + looked.error().why, "trial '" + trial.name + "'", trackAgain});
+    }
+    return {};
+}
+
+} // namespace odo
