@@ -2,7 +2,7 @@
 #include "app/workbench.h"
 
 #include "core/base/crash_report.h"
-#include "core/exchange/text_file.h"
+#include "core/files/output_file.h"
 #include "core/project/project.h"
 #include "ui/main_window/appearance.h"
 #include "ui/main_window/crash_notice.h"
@@ -34,7 +34,7 @@ void runWorkbench(const std::optional<std::filesystem::path> &project)
 }
 
 Result<void> paintWorkbench(const std::filesystem::path &project, const std::string &trial, WindowMode mode,
-                            QSize size, const std::filesystem::path &picture)
+                            QSize size, const OutputTarget &picture)
 {
     applyAppearance(*qApp);
     MainWindow window;
@@ -54,10 +54,10 @@ Result<void> paintWorkbench(const std::filesystem::path &project, const std::str
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
-    if (!paintWindow(window, size).save(&buffer, QFileInfo(QString::fromStdString(picture.string())).suffix().toLatin1().constData()))
-        return fail(ErrorCode::InvalidInput, "picture '" + picture.string() + "'", "its format is not known",
+    if (!paintWindow(window, size).save(&buffer, QFileInfo(QString::fromStdString(picture.file.string())).suffix().toLatin1().constData()))
+        return fail(ErrorCode::InvalidInput, "picture '" + picture.file.string() + "'", "its format is not known",
                     "give it a name that ends in .png or .jpg");
-    return writeTextFile(picture, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    return writeOutput(picture, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 
 } // namespace odo

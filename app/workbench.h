@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/error.h"
+#include "core/files/output_guard.h"
 #include "ui/main_window/modes.h"
 
 #include <QSize>
@@ -17,6 +17,6 @@ void runWorkbench(const std::optional<std::filesystem::path> &project);
 
 /// The window as a user would see it with a trial in one of its modes, painted without a display into a picture file.
 Result<void> paintWorkbench(const std::filesystem::path &project, const std::string &trial, WindowMode mode,
-                            QSize size, const std::filesystem::path &picture);
+                            QSize size, const OutputTarget &picture);
 
 } // namespace odo

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/project_archive.h"
 
-#include "core/project/new_file.h"
+#include "core/files/output_file.h"
 
 #include <archive.h>
 #include <archive_entry.h>
@@ -11,9 +11,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
-#include <new>
 #include <memory>
-#include <sys/stat.h>
 #include <unistd.h>
 
 namespace odo {
@@ -38,32 +36,23 @@ std::string problemOf(archive *handle)
     return words ? words : "the archive library refused";
 }
 
-/// An archive in the making, gone again unless it was published.
+/// An archive in the making.
 class Writer
 {
 public:
-    explicit Writer(std::filesystem::path target)
-        : m_target(std::move(target)), m_part(m_target.string() + ".part"), m_archive(archive_write_new()),
-          m_descriptor(::open(m_part.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, 0644))
-    {
-    }
-    ~Writer()
-    {
-        archive_write_free(m_archive);
-        if (m_descriptor < 0)
-            return;
-        ::close(m_descriptor);
-        ::unlink(m_part.c_str()); // not there any more once it was published
-    }
+    explicit Writer(const OutputTarget &target) : m_target(target), m_archive(archive_write_new()) {}
+    ~Writer() { archive_write_free(m_archive); }
     Writer(const Writer &) = delete;
     Writer &operator=(const Writer &) = delete;
 
     Result<void> open()
     {
-        if (m_descriptor < 0)
-            return failure(std::strerror(errno));
+        auto opened = OutputFile::open(m_target, FileKind::Zip);
+        if (!opened)
+            return tl::unexpected(opened.error());
+        m_output = std::move(*opened);
         if (archive_write_set_format_zip(m_archive) != ARCHIVE_OK ||
-            archive_write_open_fd(m_archive, m_descriptor) != ARCHIVE_OK)
+            archive_write_open_fd(m_archive, m_output->descriptor()) != ARCHIVE_OK)
             return failure(problemOf(m_archive));
         return {};
     }
@@ -103,7 +92,7 @@ public:
                 return failure(problemOf(m_archive));
             left -= count;
             if (!written(count))
-                return cancelled("pack '" + m_target.string() + "'");
+                return cancelled("pack '" + m_target.file.string() + "'");
         }
         return {};
     }
@@ -112,43 +101,29 @@ public:
     {
         if (archive_write_close(m_archive) != ARCHIVE_OK)
             return failure(problemOf(m_archive));
-        if (::fsync(m_descriptor) != 0 || ::rename(m_part.c_str(), m_target.c_str()) != 0)
-            return failure(std::strerror(errno));
-        syncToDisk(std::filesystem::absolute(m_target).parent_path());
-        return {};
+        return m_output->commit();
     }
 
 private:
     tl::unexpected<Error> failure(const std::string &why) const
     {
-        return fail(ErrorCode::Io, "cannot write '" + m_target.string() + "'", why, roomAdvice);
+        return fail(ErrorCode::Io, "cannot write '" + m_target.file.string() + "'", why, roomAdvice);
     }
 
-    const std::filesystem::path m_target, m_part;
+    const OutputTarget m_target;
+    std::unique_ptr<OutputFile> m_output;
     archive *const m_archive;
-    const int m_descriptor;
 };
 
-/// Unpacks into a folder of its own, which is gone again unless it was published.
+/// Unpacks into a folder of its own.
 class Reader
 {
 public:
     Reader(std::filesystem::path file, std::filesystem::path folder)
-        : m_file(std::move(file)), m_folder(std::move(folder)), m_part(m_folder.string() + ".part-XXXXXX"),
-          m_archive(archive_read_new())
+        : m_file(std::move(file)), m_folder(std::move(folder)), m_archive(archive_read_new())
     {
     }
-    ~Reader()
-    {
-        archive_read_free(m_archive);
-        if (!m_made)
-            return;
-        try {
-            std::error_code ignored;
-            std::filesystem::remove_all(m_part, ignored); // not there any more once it was published
-        } catch (const std::bad_alloc &) { // it stays, under a name that says what it is
-        }
-    }
+    ~Reader() { archive_read_free(m_archive); }
     Reader(const Reader &) = delete;
     Reader &operator=(const Reader &) = delete;
 
@@ -164,14 +139,14 @@ public:
         m_archiveBytes = std::filesystem::file_size(m_file, problem);
         if (problem)
             m_archiveBytes = 0;
-        std::filesystem::create_directories(std::filesystem::absolute(m_part).parent_path(), problem);
-        // A name that nobody has, so that what a killed attempt left behind is in nobody's way.
-        std::string name = m_part.string();
-        m_made = ::mkdtemp(name.data()) != nullptr;
-        if (!m_made)
-            return failure(std::strerror(errno));
-        m_part = name;
-        ::chmod(m_part.c_str(), 0755); // as any folder
+        const std::filesystem::path around = std::filesystem::absolute(m_folder, problem).parent_path();
+        std::filesystem::create_directories(around, problem);
+        if (auto place = checkOutput({m_folder, Existing::Refuse}, std::nullopt); !place)
+            return tl::unexpected(place.error());
+        auto made = TemporaryFolder::make(around, "unpack into '" + m_folder.string() + "'");
+        if (!made)
+            return tl::unexpected(made.error());
+        m_part = std::move(*made);
         return {};
     }
 
@@ -195,7 +170,8 @@ public:
     Result<std::filesystem::path> publish()
     {
         std::error_code problem;
-        std::filesystem::rename(m_part, m_folder, problem);
+        std::filesystem::permissions(m_part->path(), std::filesystem::perms(0755), problem); // as of any folder
+        std::filesystem::rename(m_part->path(), m_folder, problem);
         if (problem)
             return failure(problem.message());
         return m_folder / m_project;
@@ -211,7 +187,7 @@ private:
             return refuse('\'' + name.string() + "' does not belong into a packed project");
         if (m_project.empty())
             m_project = name;
-        const std::filesystem::path target = m_part / name;
+        const std::filesystem::path target = m_part->path() / name;
         std::error_code problem;
         std::filesystem::create_directories(target.parent_path(), problem);
         const int descriptor =
@@ -275,16 +251,15 @@ private:
     }
 
     const std::filesystem::path m_file, m_folder;
-    std::filesystem::path m_part;
+    std::unique_ptr<TemporaryFolder> m_part; ///< gone again unless it was published
     archive *const m_archive;
-    bool m_made = false;
     std::filesystem::path m_project;
     std::uintmax_t m_archiveBytes = 0, m_unpackedBytes = 0;
 };
 
 } // namespace
 
-Result<void> writeArchive(const std::filesystem::path &archive, const std::vector<ArchiveEntry> &entries,
+Result<void> writeArchive(const OutputTarget &archive, const std::vector<ArchiveEntry> &entries,
                           const JobControl &control)
 {
     std::uintmax_t all = 1, done = 0;

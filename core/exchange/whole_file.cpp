@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/whole_file.h"
 
-#include "core/project/new_file.h"
+#include "core/files/temporary.h"
 
 #include <QFileInfo>
 #include <cerrno>

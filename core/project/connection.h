@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/files/protected_files.h"
 #include "core/project/records.h"
 
 #include <QByteArray>
@@ -57,6 +58,7 @@ private:
     Result<void> configure(DatabaseAccess access);
 
     std::filesystem::path m_file;
+    const OpenProjectFile m_open{m_file};
     QString m_name;
     std::shared_ptr<std::recursive_mutex> m_turn;
     QSqlDatabase m_database;

@@ -3,6 +3,7 @@
 
 #include "core/base/shortage.h"
 #include "core/exchange/layout_csv.h"
+#include "core/files/temporary.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/simulation/board_poses.h"
@@ -16,7 +17,6 @@
 #include "core/workflow/track_job.h"
 #include "core/workflow/truth_files.h"
 
-
 namespace odo {
 
 namespace {
@@ -26,22 +26,6 @@ namespace fs = std::filesystem;
 constexpr const char *className = "Year 9 robotics";
 constexpr int boardPictures = 14;
 constexpr double boardNoise = 1.5; // of 255
-
-/// A folder for what is in the making, removed again unless its content was moved to its place.
-class Staging
-{
-public:
-    explicit Staging(fs::path folder) : m_folder(std::move(folder)) {}
-    ~Staging()
-    {
-        std::error_code ignored;
-        fs::remove_all(m_folder, ignored);
-    }
-    const fs::path &folder() const { return m_folder; }
-
-private:
-    fs::path m_folder;
-};
 
 /// One part of the whole job's progress.
 JobControl part(const JobControl &whole, double from, double to)
@@ -142,7 +126,9 @@ private:
             JobControl mine = control;
             if (c > 0)
                 mine.progress = nullptr; // the views go on side by side: the first speaks for all
-            results[c] = renderVideo(scene, int(c), videoFile(t, scene.cameras[c]), {}, mine);
+            OutputTarget target = videoFile(t, scene.cameras[c]);
+            target.isOwnMedia = true;
+            results[c] = renderVideo(scene, int(c), target, {}, mine);
         });
         for (const auto &result : results) {
             if (!result)
@@ -264,16 +250,16 @@ Result<fs::path> makeDemo(const fs::path &folder, const JobControl &control)
     try {
         const bool folderIsNew = fs::create_directories(folder);
         {
-            const Staging staging(folder / ".demo-in-the-making");
-            fs::remove_all(staging.folder()); // of an earlier attempt that was killed
-            fs::create_directory(staging.folder());
-            if (auto built = buildIn(staging.folder(), control); !built) {
+            const auto staging = TemporaryFolder::make(folder, what);
+            if (!staging)
+                return tl::unexpected(staging.error());
+            if (auto built = buildIn((*staging)->path(), control); !built) {
                 if (folderIsNew)
                     fs::remove_all(folder);
                 return tl::unexpected(built.error());
             }
             for (const char *name : parts)
-                fs::rename(staging.folder() / name, folder / name);
+                fs::rename((*staging)->path() / name, folder / name);
         }
         return folder / "demo.odo";
     } catch (const fs::filesystem_error &problem) {

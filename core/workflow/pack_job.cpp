@@ -2,13 +2,13 @@
 #include "core/workflow/pack_job.h"
 
 #include "core/base/folder_names.h"
+#include "core/files/temporary.h"
 #include "core/project/own_media.h"
 #include "core/project/project.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 #include "core/video/video_input.h"
 
-#include <QTemporaryDir>
 #include <map>
 #include <set>
 
@@ -75,7 +75,7 @@ Result<void> PackJob::prepare(Project &project)
 {
     m_project = project.file();
     m_mediaFolder = project.mediaFolder();
-    return {};
+    return checkOutput(m_archive, FileKind::Zip).map([](const OutputPlace &) {});
 }
 
 /// Which videos come from elsewhere, and which are lost or replaced.
@@ -104,11 +104,13 @@ Result<void> PackJob::look(Project &project, const JobControl &control)
             const auto isIts = isItsVideo(file, recording, control);
             if (!isIts)
                 return tl::unexpected(isIts.error());
-            if (*isIts)
+            if (*isIts) {
                 m_elsewhere.push_back({recording.id, file});
-            else
+                m_inputs.add(file);
+            } else {
                 m_warnings.push_back("the video of camera " + recording.cameraName + " in trial '" + trial +
                                      "' lies elsewhere and is another file than it was, and not in the packed project");
+            }
         }
     }
     return {};
@@ -154,12 +156,10 @@ Result<void> PackJob::copyProject(const std::filesystem::path &copy, std::vector
 Result<void> PackJob::run(const JobControl &control)
 {
     // Beside the archive: there is room for it, or there is none at all.
-    const QTemporaryDir work(QString::fromStdString((m_archive.parent_path() / ".pack-XXXXXX").string()));
-    if (!work.isValid())
-        return fail(ErrorCode::Io, "cannot write '" + m_archive.string() + "'",
-                    work.errorString().toStdString(), "check the free space and the rights of its folder");
-    const std::filesystem::path copy =
-        std::filesystem::path(work.path().toStdString()) / m_project.filename();
+    const auto work = TemporaryFolder::make(std::filesystem::absolute(m_archive.file).parent_path(), "file '" + m_archive.file.string() + "'");
+    if (!work)
+        return tl::unexpected(work.error());
+    const std::filesystem::path copy = (*work)->path() / m_project.filename();
     std::vector<ArchiveEntry> entries;
     control.report(0, "copying the project");
     if (auto copied = copyProject(copy, entries, control); !copied)

@@ -15,13 +15,11 @@
 #include "ui/report/report_job.h"
 #include "ui/report/report_preview.h"
 #include "ui/views/command_names.h"
-#include "ui/views/path_field.h"
+#include "ui/views/output_question.h"
 #include "ui/views/theme_icon.h"
 
 #include <QAction>
 #include <QDir>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QPrintDialog>
 #include <QPrinter>
 #include <QStandardPaths>
@@ -133,13 +131,10 @@ void ReportActions::save()
 {
     const QDir folder(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
     const QString title = m_dialog->proposedName(), name = QString::fromStdString(fileNameOf(title.toStdString()));
-    QString file = QFileDialog::getSaveFileName(m_dialog.get(), tr("Save the report"), folder.filePath(name + u'.' + ending),
-                                                tr("PDF files (*.pdf)"));
-    if (file.isEmpty())
-        return;
-    if (QFileInfo(file).suffix().isEmpty())
-        file += u'.' + ending;
-    start(std::make_unique<PdfFile>(pathOf(file), title), tr("The report is in %1.").arg(QDir::toNativeSeparators(file)));
+    const auto chosen = askOutput(m_dialog.get(), tr("Save the report"), folder.filePath(name + u'.' + ending),
+                                  {{tr("PDF files (*.pdf)"), ending, FileKind::Pdf}});
+    if (chosen)
+        start(std::make_unique<PdfFile>(chosen->target, title), tr("The report is in %1.").arg(QDir::toNativeSeparators(chosen->file)));
 }
 
 void ReportActions::print()

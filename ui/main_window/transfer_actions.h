@@ -13,6 +13,7 @@ class QWidget;
 namespace odo {
 
 class Workspace;
+struct ChosenOutput;
 
 /// Taking a project elsewhere: packing it into one file with its videos, unpacking such a file, and finding
 /// videos that were lost on the way. Owns the actions and asks for the files.
@@ -39,7 +40,7 @@ private:
     void askPack();
     void askArchive();
     void askLostVideos();
-    void pack(const QString &archive);
+    void pack(const ChosenOutput &archive);
     void tellFailure(const Result<void> &result);
 
     Workspace &m_workspace;
