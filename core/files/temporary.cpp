@@ -91,7 +91,8 @@ void sweep(const std::filesystem::path &folder)
 
 tl::unexpected<Error> cannotMake(const std::filesystem::path &folder, const std::string &what, int reason)
 {
-    if (reason == ENOENT || reason == ENOTDIR)
+    std::error_code problem;
+    if (!std::filesystem::is_directory(folder, problem))
         return fail(ErrorCode::NotFound, what, "there is no folder '" + folder.string() + "'",
                     "make the folder first, or choose another one");
     if (reason == ENOSPC || reason == EDQUOT)

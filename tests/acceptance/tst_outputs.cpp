@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every command that writes a file against everything that no output may take the place of. ODOGRAPH_MUTATIONS: how many calls are
 // drawn out of all combinations instead of the few of each run.
+#include "core/video/video_reader.h"
 #include "tests/support/demo_lesson.h"
 #include "tests/support/program.h"
 
@@ -93,7 +94,7 @@ class TestOutputs : public QObject
     QString path(const QString &name) const { return m_folder.filePath(name); }
     QStringList callOf(const QString &command) const
     {
-        QStringList arguments = command.arg(m_project).split(u' ');
+        QStringList arguments = QString(command).replace(QStringLiteral("%1"), m_project).split(u' ');
         for (QString &argument : arguments)
             if (argument != m_project)
                 argument.replace(u'_', u' ');
@@ -117,6 +118,14 @@ class TestOutputs : public QObject
         }
         all.sort();
         return all;
+    }
+    /// 0 where the video cannot be read to its end.
+    static std::size_t frameCount(const QString &file)
+    {
+        const auto video = odo::VideoReader::open(file.toStdString());
+        return video && (*video)->info().frameTimes.size() > 1 && (*video)->frameAt(std::int64_t((*video)->info().frameTimes.size()) - 1)
+                   ? (*video)->info().frameTimes.size()
+                   : 0;
     }
     /// Empty: refused in one line, and nothing is otherwise than it was.
     QString wrong(const Mutation &mutation)
@@ -225,9 +234,7 @@ private Q_SLOTS:
             };
             write("");
             QVERIFY2(run({}).exitStatus == 0, qPrintable(command)); // an empty file is of any kind
-            const QByteArray made = fileHash(file);
             QVERIFY2(run({}).exitStatus == 0, qPrintable(command));
-            QVERIFY(!made.isEmpty());
             write("a letter to nobody");
             const ProgramRun refused = run({});
             QVERIFY2(refused.exitStatus == 2 && refused.err.contains("a file of another kind has that name; choose another name, or replace it with --force"), refused.err);
@@ -254,7 +261,7 @@ private Q_SLOTS:
         QTemporaryDir out;
         const QString file = out.filePath(name), alone = out.filePath(QStringLiteral("alone_") + name);
         QCOMPARE(runProgram(callOf(command) << alone).exitStatus, 0);
-        const int count = qEnvironmentVariableIntValue("ODOGRAPH_MUTATIONS") > 0 ? 50 : 4;
+        const int count = qEnvironmentVariableIntValue("ODOGRAPH_MUTATIONS") > 0 ? 50 : 3;
         std::vector<std::unique_ptr<QProcess>> processes;
         for (int i = 0; i < count; ++i) {
             processes.push_back(std::make_unique<QProcess>());
@@ -268,9 +275,7 @@ private Q_SLOTS:
         if (name.endsWith(QLatin1String("csv"))) // a video's threads share its bytes out as they come
             QCOMPARE(fileHash(file), fileHash(alone));
         else
-            QVERIFY(runProgram({QStringLiteral("robot"), QStringLiteral("add"), m_project, QStringLiteral("never"), QStringLiteral("--pick"), file, QStringLiteral("--box"),
-                                QStringLiteral("0,0,2,2")})
-                        .err.contains("box"));
+            QCOMPARE(frameCount(file), frameCount(alone));
     }
 
     void whatAKillLeftIsSwept()

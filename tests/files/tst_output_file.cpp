@@ -143,15 +143,17 @@ private Q_SLOTS:
         std::vector<std::thread> threads;
         for (char letter = 'a'; letter < 'a' + 25; ++letter)
             threads.emplace_back([&, letter] {
+                std::string text(100'000, letter);
+                text.replace(0, 4, "h,h\n");
                 for (int i = 0; i < 2; ++i)
-                    failures += !writeOutput(path("one.csv"), std::string("h,h\n") + std::string(100'000, letter));
+                    failures += !writeOutput(path("one.csv"), text);
             });
         for (std::thread &thread : threads)
             thread.join();
         QCOMPARE(failures.load(), 0);
         QCOMPARE(names(), std::vector<std::string>{"one.csv"});
         const std::string content = contentOf(path("one.csv"));
-        QCOMPARE(content.size(), std::size_t(100'004));
+        QCOMPARE(content.size(), std::size_t(100'000));
         QVERIFY(content.starts_with("h,h\n") && content.find_first_not_of(content.back(), 4) == std::string::npos);
     }
 

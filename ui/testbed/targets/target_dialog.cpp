@@ -7,6 +7,7 @@
 #include "ui/testbed/targets/target_preview.h"
 #include "ui/views/number_box.h"
 #include "ui/views/output_question.h"
+#include "ui/views/path_field.h"
 #include "ui/views/theme.h"
 
 #include <QComboBox>
@@ -181,7 +182,11 @@ void TargetDialog::print()
     const auto sheets = layOutTarget(spec());
     QPrinter printer(QPrinter::HighResolution);
     QPrintDialog dialog(&printer, this);
-    if (sheets && dialog.exec() == QDialog::Accepted)
+    if (!sheets || dialog.exec() != QDialog::Accepted)
+        return;
+    if (const QString file = printer.outputFileName(); !file.isEmpty()) // not by Qt, which would write over anything; it has asked
+        savePdf({{pathOf(file), Existing::ReplaceAny}, file});
+    else
         tell(printTarget(printer, spec(), *sheets), tr("Sent to the printer."));
 }
 

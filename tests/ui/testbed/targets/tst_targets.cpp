@@ -6,6 +6,7 @@
 #include "core/video/frame.h"
 #include "ui/testbed/targets/target_dialog.h"
 #include "ui/testbed/targets/target_painter.h"
+#include "ui/views/output_question.h"
 
 #include <QImage>
 #include <QDir>
