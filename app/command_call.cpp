@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 
+#include "app/option_names.h"
 #include "core/base/crash_report.h"
 #include "core/base/file_system.h"
 #include "core/base/plain_text.h"
@@ -62,6 +63,10 @@ Result<bool> CommandCall::parse(const QStringList &arguments)
         std::fputs(("\nOptions:" + options.toStdString()).c_str(), stdout);
         return false;
     }
+    for (const QCommandLineOption &each : m_syntax.options)
+        if (each.valueName() == QStringLiteral("FILE") && !each.names().contains(option::output))
+            for (const std::string &file : texts(each.names().constLast()))
+                m_inputs.add(file);
     const auto count = m_parser.positionalArguments().size();
     if (count < m_syntax.fewest)
         return wrongCall(QStringLiteral("something is missing"));

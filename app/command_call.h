@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/job_control.h"
+#include "core/files/protected_files.h"
 #include "core/project/project.h"
 
 #include <QCommandLineParser>
@@ -54,6 +55,9 @@ public:
     /// is completed first.
     Result<std::unique_ptr<Project>> openProject(int index, Project::Access access) const;
 
+    /// What must not be overwritten while this call lasts, besides the files that it was given.
+    InputFiles &recordings() const { return *m_recordings; }
+
     /// Cancelled by Ctrl-C; progress to standard error when it is a terminal.
     const JobControl &control() const { return m_control; }
 
@@ -66,6 +70,8 @@ private:
     CommandSyntax m_syntax;
     QCommandLineParser m_parser;
     JobControl m_control;
+    InputFiles m_inputs;
+    const std::unique_ptr<InputFiles> m_recordings = std::make_unique<InputFiles>("it is a recording of the project");
 };
 
 } // namespace odo

@@ -18,6 +18,7 @@ inline const QString csvStyle = QStringLiteral("csv-style");
 inline const QString device = QStringLiteral("device");
 inline const QString figure = QStringLiteral("figure");
 inline const QString find = QStringLiteral("find");
+inline const QString force = QStringLiteral("force");
 inline const QString format = QStringLiteral("format");
 inline const QString frame = QStringLiteral("frame");
 inline const QString height = QStringLiteral("height");

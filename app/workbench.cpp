@@ -2,7 +2,7 @@
 #include "app/workbench.h"
 
 #include "core/base/crash_report.h"
-#include "core/exchange/text_file.h"
+#include "core/files/output_file.h"
 #include "core/project/project.h"
 #include "ui/main_window/appearance.h"
 #include "ui/main_window/crash_notice.h"
@@ -38,10 +38,10 @@ void runWorkbench(const std::optional<std::filesystem::path> &project)
 }
 
 Result<void> paintWorkbench(const std::filesystem::path &project, const std::string &trial, WindowMode mode,
-                            QSize size, const std::filesystem::path &picture, const CancelToken &cancel)
+                            QSize size, const OutputTarget &picture, const CancelToken &cancel)
 {
     applyAppearance(*qApp);
-    const std::string what = "picture '" + picture.string() + "'";
+    const std::string what = "picture '" + picture.file.string() + "'";
     MainWindow window;
     if (auto opened = window.openProject(project); !opened)
         return opened;
@@ -64,13 +64,13 @@ Result<void> paintWorkbench(const std::filesystem::path &project, const std::str
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
-    const QByteArray format = QFileInfo(QString::fromStdString(picture.string())).suffix().toLatin1().toLower();
+    const QByteArray format = QFileInfo(QString::fromStdString(picture.file.string())).suffix().toLatin1().toLower();
     if (!QImageWriter::supportedImageFormats().contains(format))
         return fail(ErrorCode::InvalidInput, what, "its format is not known",
                     "give it a name that ends in .png or .jpg");
     if (!painted.save(&buffer, format.constData())) // which nothing else keeps it from
         throw std::bad_alloc();
-    return writeTextFile(picture, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    return writeOutput(picture, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 
 } // namespace odo

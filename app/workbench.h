@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/job_control.h"
+#include "core/files/output_guard.h"
 #include "ui/main_window/modes.h"
 
 #include <QSize>
@@ -19,6 +20,6 @@ void runWorkbench(const std::optional<std::filesystem::path> &project);
 /// The window as a user would see it with a trial in one of its modes, painted without a display into a picture file. Error Cancelled, beside those of
 /// opening the project and writing the picture.
 Result<void> paintWorkbench(const std::filesystem::path &project, const std::string &trial, WindowMode mode,
-                            QSize size, const std::filesystem::path &picture, const CancelToken &cancel);
+                            QSize size, const OutputTarget &picture, const CancelToken &cancel);
 
 } // namespace odo

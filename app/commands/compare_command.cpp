@@ -2,6 +2,7 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/option_names.h"
+#include "app/output_option.h"
 #include "app/report_options.h"
 #include "core/workflow/compare_trials.h"
 #include "core/workflow/track_warnings.h"
@@ -147,7 +148,10 @@ Result<void> writeReport(const CommandCall &call, Project &project, const Compar
     const auto options = readReportOptions(call);
     if (!options)
         return tl::unexpected(options.error());
-    ReportJob job(comparisonReport(settings, *options), std::make_unique<PdfFile>(call.value(option::output), QStringLiteral("Odograph comparison")));
+    const auto target = outputOf(call, call.value(option::output), FileKind::Pdf, &project);
+    if (!target)
+        return tl::unexpected(target.error());
+    ReportJob job(comparisonReport(settings, *options), std::make_unique<PdfFile>(*target, QStringLiteral("Odograph comparison")));
     return runToEnd(job, project, call.control());
 }
 
@@ -158,11 +162,11 @@ Result<void> runCompare(const QStringList &arguments, const CancelToken &cancel)
     CommandCall call(
         {QStringLiteral("compare"),
          QStringLiteral(
-             "P.odo TRIAL1 TRIAL2 [--robot R]... [--align auto|start_gate|motion_onset|distance|SECONDS]"),
+             "P.odo TRIAL1 TRIAL2 [--robot R]... [--align auto|start_gate|motion_onset|distance|SECONDS] "
+             "[-o report.pdf [--force]]"),
          3,
          3,
-         QList<QCommandLineOption>{
-          {{QStringLiteral("o"), option::output}, QStringLiteral("The PDF report to write."), QStringLiteral("FILE")},
+         outputOptions(QStringLiteral("The PDF report to write.")) + QList<QCommandLineOption>{
           {option::robot, QStringLiteral("Where a trial has several: of both, or given twice."), QStringLiteral("R")},
           {option::align,
            QStringLiteral("The moment that counts as the same; SECONDS: how much later TRIAL2's moment comes "

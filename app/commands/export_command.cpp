@@ -3,7 +3,8 @@
 #include "app/commands/commands.h"
 #include "app/commands/export_video.h"
 #include "app/option_names.h"
-#include "core/exchange/text_file.h"
+#include "app/output_option.h"
+#include "core/files/output_file.h"
 #include "core/exchange/track_csv.h"
 #include "core/exchange/track_text.h"
 #include "core/exchange/trial_json.h"
@@ -61,12 +62,11 @@ Result<std::string> fileText(const CommandCall &call, const std::string &formatN
 Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call({QStringLiteral("export"),
-                      QStringLiteral("P.odo TRIAL -o FILE [--robot R] [--format csv|tum|json|tracker|video] "
+                      QStringLiteral("P.odo TRIAL -o FILE [--force] [--robot R] [--format csv|tum|json|tracker|video] "
                                      "[--csv-style analysis|international|continental] "
                                      "[--speed 0.25] [--size 1920x1080] [--theme light|dark]"),
                       2, 2,
-                      QList<QCommandLineOption>{
-                       {{QStringLiteral("o"), option::output}, QStringLiteral("The file to write."), QStringLiteral("FILE")},
+                      outputOptions(QStringLiteral("The file to write.")) + QList<QCommandLineOption>{
                        {option::robot, QStringLiteral("The robot, where there are several."), QStringLiteral("R")},
                        {option::format, QStringLiteral("Of the file."), QStringLiteral("FORMAT"), QStringLiteral("csv")},
                        {option::csvStyle, QStringLiteral("For which program."), QStringLiteral("STYLE"), QStringLiteral("analysis")}} +
@@ -85,6 +85,9 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
     const auto project = call.openProject(0, Project::Access::ReadOnly);
     if (!project)
         return tl::unexpected(project.error());
+    const auto target = outputOf(call, call.value(option::output), std::nullopt, project->get()); // the text tells its kind
+    if (!target)
+        return tl::unexpected(target.error());
     const auto trial = (*project)->trials().find(call.text(1));
     if (!trial)
         return tl::unexpected(trial.error());
@@ -100,7 +103,7 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
     const auto text = fileText(call, formatName, *trial, *recordings, *analyses, *imported);
     if (!text)
         return tl::unexpected(text.error());
-    if (auto written = writeTextFile(call.value(option::output), *text); !written)
+    if (auto written = writeOutput(*target, *text); !written)
         return written;
     const QString file = QString::fromStdString(call.value(option::output));
     call.answer({{QStringLiteral("file"), file}, {QStringLiteral("format"), QString::fromStdString(formatName)}},

@@ -3,15 +3,15 @@
 
 #include "app/language_option.h"
 #include "app/option_names.h"
+#include "app/output_option.h"
 #include "ui/report/annotated_video.h"
 
 namespace odo {
 namespace {
 
-Result<AnnotatedVideoSettings> settingsOf(const CommandCall &call, const std::string &file)
+Result<AnnotatedVideoSettings> settingsOf(const CommandCall &call)
 {
     AnnotatedVideoSettings settings;
-    settings.file = file;
     const auto wantedSize = call.sizePair(option::size);
     if (!wantedSize)
         return tl::unexpected(wantedSize.error());
@@ -43,7 +43,7 @@ QList<QCommandLineOption> videoOptions()
 
 Result<void> exportVideo(const CommandCall &call, const std::string &file)
 {
-    const auto settings = settingsOf(call, file);
+    auto settings = settingsOf(call);
     if (!settings)
         return tl::unexpected(settings.error());
     if (auto applied = applyLanguage(call); !applied)
@@ -51,6 +51,10 @@ Result<void> exportVideo(const CommandCall &call, const std::string &file)
     const auto project = call.openProject(0, Project::Access::ReadOnly);
     if (!project)
         return tl::unexpected(project.error());
+    auto target = outputOf(call, file, std::nullopt, project->get()); // the job knows its kind
+    if (!target)
+        return tl::unexpected(target.error());
+    settings->target = std::move(*target);
     AnnotatedVideoJob job(call.text(1), *settings);
     if (auto made = runToEnd(job, **project, call.control()); !made)
         return made;

@@ -2,13 +2,14 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/json_answers.h"
+#include "app/output_option.h"
 #include "core/workflow/cameras.h"
 
 namespace odo {
 
 Result<void> runIntrinsics(const QStringList &arguments, const CancelToken &cancel)
 {
-    CommandCall call({QStringLiteral("intrinsics"), QStringLiteral("import|export P.odo CAMERA FILE"), 4, 4, {}}, cancel);
+    CommandCall call({QStringLiteral("intrinsics"), QStringLiteral("import P.odo CAMERA FILE | export P.odo CAMERA FILE [--force]"), 4, 4, {forceOption()}}, cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
     const bool importing = call.positional(0) == QStringLiteral("import");
@@ -23,8 +24,12 @@ Result<void> runIntrinsics(const QStringList &arguments, const CancelToken &canc
         if (!record)
             return tl::unexpected(record.error());
         json.insert(QStringLiteral("intrinsics"), intrinsicsJson(record->calibration.intrinsics));
-    } else if (auto written = exportIntrinsics(**project, call.text(2), call.text(3)); !written) {
-        return written;
+    } else {
+        const auto target = outputOf(call, call.text(3), FileKind::Yaml, project->get());
+        if (!target)
+            return tl::unexpected(target.error());
+        if (auto written = exportIntrinsics(**project, call.text(2), *target); !written)
+            return written;
     }
     call.answer(json, importing ? QStringLiteral("Camera %1 has new intrinsics.").arg(call.positional(2))
                                 : QStringLiteral("Wrote %1.").arg(call.positional(3)));

@@ -3,6 +3,7 @@
 #include "app/commands/commands.h"
 #include "app/json_answers.h"
 #include "app/option_names.h"
+#include "app/output_option.h"
 #include "core/exchange/layout_csv.h"
 #include "core/project/changing.h"
 #include "core/project/repositories.h"
@@ -117,7 +118,10 @@ Result<void> exportCsv(CommandCall &call)
     const auto layout = (*project)->layouts().find(call.text(2));
     if (!layout)
         return tl::unexpected(layout.error());
-    if (auto written = writeLayoutCsv(call.text(3), layout->layout); !written)
+    const auto target = outputOf(call, call.text(3), FileKind::Csv, project->get());
+    if (!target)
+        return tl::unexpected(target.error());
+    if (auto written = writeLayoutCsv(*target, layout->layout); !written)
         return written;
     call.answer({{QStringLiteral("layout"), call.positional(2)}, {QStringLiteral("file"), call.positional(3)}},
                 QStringLiteral("Layout %1 is written to %2.").arg(call.positional(2), call.positional(3)));
@@ -209,7 +213,7 @@ Result<void> runLayout(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call(
         {QStringLiteral("layout"),
-         QStringLiteral("add P.odo NAME layout.csv | list P.odo | show P.odo NAME | export P.odo NAME layout.csv | "
+         QStringLiteral("add P.odo NAME layout.csv | list P.odo | show P.odo NAME | export P.odo NAME layout.csv [--force] | "
                         "transform P.odo NAME [--origin LABEL | --origin-at X,Y] [--turn DEGREES | --x-axis LABEL,LABEL] "
                         "[--reverse x|y|xy] [--unit mm|cm|m|inch] [--json]"),
          2, 4,
@@ -218,6 +222,7 @@ Result<void> runLayout(const QStringList &arguments, const CancelToken &cancel)
           {option::turn, QStringLiteral("The angle of the new X in the old axes, counter-clockwise."), QStringLiteral("DEGREES")},
           {option::xAxis, QStringLiteral("X runs from the first marker to the second."), QStringLiteral("LABEL,LABEL")},
           {option::reverse, QStringLiteral("Reverses both axes: xy."), QStringLiteral("AXES")},
+          forceOption(),
           {option::unit, QStringLiteral("What the layout's numbers were, where they were read as mm."), QStringLiteral("UNIT")}}},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)

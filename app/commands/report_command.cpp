@@ -2,6 +2,7 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/option_names.h"
+#include "app/output_option.h"
 #include "app/report_options.h"
 #include "ui/report/pdf_file.h"
 #include "ui/report/report_job.h"
@@ -14,8 +15,7 @@ namespace {
 
 QList<QCommandLineOption> reportSyntax()
 {
-    return QList<QCommandLineOption>{
-               {{QStringLiteral("o"), option::output}, QStringLiteral("The PDF file to write."), QStringLiteral("FILE")},
+    return outputOptions(QStringLiteral("The PDF file to write.")) + QList<QCommandLineOption>{
                {option::ofClass, QStringLiteral("The ranking of this class, before the trials."), QStringLiteral("CLASS")},
                {option::task, QStringLiteral("In which task; without it, the one that most of its trials have."), QStringLiteral("TASK")},
                {option::figure, QStringLiteral("By which figure; without it, the score, or else what tells most."), QStringLiteral("NAME")},
@@ -27,7 +27,7 @@ QList<QCommandLineOption> reportSyntax()
 
 Result<void> runReport(const QStringList &arguments, const CancelToken &cancel)
 {
-    CommandCall call({QStringLiteral("report"), QStringLiteral("P.odo [TRIAL]... -o report.pdf [--class CLASS]"), 1, -1, reportSyntax()},
+    CommandCall call({QStringLiteral("report"), QStringLiteral("P.odo [TRIAL]... -o report.pdf [--force] [--class CLASS]"), 1, -1, reportSyntax()},
                      cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
@@ -46,6 +46,9 @@ Result<void> runReport(const QStringList &arguments, const CancelToken &cancel)
     const auto project = call.openProject(0, Project::Access::ReadOnly);
     if (!project)
         return tl::unexpected(project.error());
+    const auto target = outputOf(call, call.value(option::output), FileKind::Pdf, project->get());
+    if (!target)
+        return tl::unexpected(target.error());
     std::vector<ReportMaker> makers;
     if (call.isSet(option::ofClass))
         makers.push_back(classReport({call.value(option::ofClass), call.value(option::task), call.value(option::figure), call.isSet(option::teams)}, *options));
@@ -55,7 +58,7 @@ Result<void> runReport(const QStringList &arguments, const CancelToken &cancel)
             trials.push_back(trial.toStdString());
         makers.push_back(trialReports(std::move(trials), *options));
     }
-    ReportJob job(inTurn(std::move(makers)), std::make_unique<PdfFile>(call.value(option::output), QStringLiteral("Odograph report")));
+    ReportJob job(inTurn(std::move(makers)), std::make_unique<PdfFile>(*target, QStringLiteral("Odograph report")));
     if (auto made = runToEnd(job, **project, call.control()); !made)
         return made;
     const QString file = QString::fromStdString(call.value(option::output));

@@ -3,6 +3,7 @@
 #include "app/commands/commands.h"
 #include "app/language_option.h"
 #include "app/option_names.h"
+#include "app/output_option.h"
 #include "app/workbench.h"
 
 namespace odo {
@@ -11,13 +12,21 @@ namespace {
 
 constexpr double smallestPx = 200, largestPx = 8000;
 
+Result<OutputTarget> targetOf(const CommandCall &call)
+{
+    const auto project = call.openProject(0, Project::Access::ReadOnly); // closed again: the window opens it
+    if (!project)
+        return tl::unexpected(project.error());
+    return outputOf(call, call.value(option::output), std::nullopt, project->get());
+}
+
 } // namespace
 
 Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call({QStringLiteral("snapshot"),
-                      QStringLiteral("P.odo TRIAL -o picture.png [--mode review|compare|history|testbed] [--size 1600x1000] [--language en]"), 2, 2,
-                      {{{QStringLiteral("o"), option::output}, QStringLiteral("The picture to write."), QStringLiteral("FILE")},
+                      QStringLiteral("P.odo TRIAL -o picture.png [--force] [--mode review|compare|history|testbed] [--size 1600x1000] [--language en]"), 2, 2,
+                      outputOptions(QStringLiteral("The picture to write.")) + QList<QCommandLineOption>{
                        {option::mode, QStringLiteral("What the window shows."), QStringLiteral("MODE"), QStringLiteral("review")},
                        {option::size, QStringLiteral("Of the window, in pixels."), QStringLiteral("WxH"), QStringLiteral("1600x1000")},
                        languageOption()}},
@@ -37,8 +46,10 @@ Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel
         return call.wrongCall(QStringLiteral("--mode is review, compare, history or testbed"));
     if (auto applied = applyLanguage(call); !applied)
         return applied;
-    auto painted = paintWorkbench(call.text(0), call.text(1), *shown,
-                                        QSize(int(wanted->first), int(wanted->second)), call.value(option::output), cancel);
+    const auto target = targetOf(call);
+    if (!target)
+        return tl::unexpected(target.error());
+    auto painted = paintWorkbench(call.text(0), call.text(1), *shown, QSize(int(wanted->first), int(wanted->second)), *target, cancel);
     if (!painted)
         return painted;
     const QString file = QString::fromStdString(call.value(option::output));

@@ -2,6 +2,7 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/option_names.h"
+#include "app/output_option.h"
 #include "ui/testbed/targets/target_painter.h"
 
 #include <QMap>
@@ -48,10 +49,10 @@ Result<void> runTarget(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call(
         {QStringLiteral("target"),
-         QStringLiteral("checkerboard|charuco|tags|rings -o FILE.pdf [--paper a4|letter|a3] [--board 9x6] [--square 25mm] "
+         QStringLiteral("checkerboard|charuco|tags|rings -o FILE.pdf [--force] [--paper a4|letter|a3] [--board 9x6] [--square 25mm] "
                         "[--size 150mm] [--labels O,U,V,D]"),
          1, 1,
-         {{{QStringLiteral("o"), option::output}, QStringLiteral("The PDF to write."), QStringLiteral("FILE")},
+         outputOptions(QStringLiteral("The PDF to write.")) + QList<QCommandLineOption>{
           {option::paper, QStringLiteral("What it is printed on."), QStringLiteral("PAPER"), QStringLiteral("a4")},
           {option::board, QStringLiteral("Inner corners of a board."), QStringLiteral("CxR"), QStringLiteral("9x6")},
           {option::square, QStringLiteral("Side of a square of a board."), QStringLiteral("LENGTH"), QStringLiteral("25mm")},
@@ -67,7 +68,10 @@ Result<void> runTarget(const QStringList &arguments, const CancelToken &cancel)
     if (!spec)
         return tl::unexpected(spec.error());
     const QString file = QString::fromStdString(call.value(option::output));
-    if (auto written = writeTargetPdf(*spec, file); !written)
+    const auto target = outputOf(call, call.value(option::output), FileKind::Pdf, nullptr);
+    if (!target)
+        return tl::unexpected(target.error());
+    if (auto written = writeTargetPdf(*spec, *target); !written)
         return written;
     call.answer({{QStringLiteral("file"), file}, {QStringLiteral("sheets"), isBoard(spec->kind) ? 1 : int(spec->labels.size())}},
                 QStringLiteral("Wrote %1. Print it at 100 % and check its ruler.").arg(file));

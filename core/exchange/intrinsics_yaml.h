@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/files/output_guard.h"
 #include "core/geometry/camera_model.h"
 
 #include <filesystem>
@@ -37,10 +38,10 @@ Result<Intrinsics> readIntrinsics(const std::filesystem::path &file);
 std::string intrinsicsText(const std::string &cameraName, const Intrinsics &intrinsics,
                            IntrinsicsFormat format);
 
-Result<void> writeIntrinsics(const std::filesystem::path &file, const std::string &cameraName,
+Result<void> writeIntrinsics(const OutputTarget &target, const std::string &cameraName,
                              const Intrinsics &intrinsics, IntrinsicsFormat format);
 /// The format follows the extension: OpenCV for ".yml", ROS otherwise.
-Result<void> writeIntrinsics(const std::filesystem::path &file, const std::string &cameraName,
+Result<void> writeIntrinsics(const OutputTarget &target, const std::string &cameraName,
                              const Intrinsics &intrinsics);
 
 } // namespace odo

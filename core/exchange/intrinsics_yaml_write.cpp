@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/intrinsics_yaml.h"
 #include "core/exchange/text_file.h"
+#include "core/files/output_file.h"
 
 namespace odo {
 
@@ -83,17 +84,17 @@ std::string intrinsicsText(const std::string &cameraName, const Intrinsics &intr
            matrixText("projection_matrix", "", 3, {k.fxPx, 0, k.cxPx, 0, 0, k.fyPx, k.cyPx, 0, 0, 0, 1, 0});
 }
 
-Result<void> writeIntrinsics(const std::filesystem::path &file, const std::string &cameraName,
+Result<void> writeIntrinsics(const OutputTarget &target, const std::string &cameraName,
                              const Intrinsics &intrinsics, IntrinsicsFormat format)
 {
-    return writeTextFile(file, intrinsicsText(cameraName, intrinsics, format));
+    return writeOutput(target, intrinsicsText(cameraName, intrinsics, format));
 }
 
-Result<void> writeIntrinsics(const std::filesystem::path &file, const std::string &cameraName,
+Result<void> writeIntrinsics(const OutputTarget &target, const std::string &cameraName,
                              const Intrinsics &intrinsics)
 {
-    return writeIntrinsics(file, cameraName, intrinsics,
-                           file.extension() == ".yml" ? IntrinsicsFormat::OpenCv : IntrinsicsFormat::Ros);
+    return writeIntrinsics(target, cameraName, intrinsics,
+                           target.file.extension() == ".yml" ? IntrinsicsFormat::OpenCv : IntrinsicsFormat::Ros);
 }
 
 } // namespace odo

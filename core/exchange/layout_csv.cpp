@@ -5,6 +5,7 @@
 #include "core/exchange/csv_table.h"
 #include "core/exchange/labelled_points.h"
 #include "core/exchange/text_file.h"
+#include "core/files/output_file.h"
 
 #include <array>
 #include <charconv>
@@ -43,13 +44,13 @@ Result<MarkerLayout> readLayoutCsv(const std::filesystem::path &file)
     return layout;
 }
 
-Result<void> writeLayoutCsv(const std::filesystem::path &file, const MarkerLayout &layout)
+Result<void> writeLayoutCsv(const OutputTarget &target, const MarkerLayout &layout)
 {
     std::string text = "label,x_mm,y_mm\n";
     for (const Marker &marker : layout.markers)
         text += csvText(marker.label, ',') + ',' + millimetreText(marker.pointInWorld.x()) + ',' +
                 millimetreText(marker.pointInWorld.y()) + '\n';
-    return writeTextFile(file, text);
+    return writeOutput(target, text);
 }
 
 } // namespace odo

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/calibration/marker_layout.h"
+#include "core/files/output_guard.h"
 
 #include <filesystem>
 
@@ -13,6 +14,6 @@ namespace odo {
 Result<MarkerLayout> readLayoutCsv(const std::filesystem::path &file);
 
 /// Writes what readLayoutCsv reads, such that the same numbers are read back.
-Result<void> writeLayoutCsv(const std::filesystem::path &file, const MarkerLayout &layout);
+Result<void> writeLayoutCsv(const OutputTarget &target, const MarkerLayout &layout);
 
 } // namespace odo

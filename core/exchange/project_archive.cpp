@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/project_archive.h"
 
-#include "core/base/claimed_folder.h"
 #include "core/base/file_system.h"
-#include "core/project/new_file.h"
+#include "core/files/output_file.h"
 
 #include <algorithm>
 #include <archive.h>
@@ -13,9 +12,9 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <fstream>
 #include <memory>
-#include <optional>
 #include <unistd.h>
 
 namespace odo {
@@ -40,32 +39,23 @@ std::string problemOf(archive *handle)
     return words ? words : "the archive library refused";
 }
 
-/// An archive in the making, gone again unless it was published.
+/// An archive in the making.
 class Writer
 {
 public:
-    explicit Writer(std::filesystem::path target)
-        : m_target(std::move(target)), m_part(m_target.string() + ".part"), m_archive(archive_write_new()),
-          m_descriptor(::open(m_part.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, 0644))
-    {
-    }
-    ~Writer()
-    {
-        archive_write_free(m_archive);
-        if (m_descriptor < 0)
-            return;
-        ::close(m_descriptor);
-        ::unlink(m_part.c_str()); // not there any more once it was published
-    }
+    explicit Writer(const OutputTarget &target) : m_target(target), m_archive(archive_write_new()) {}
+    ~Writer() { archive_write_free(m_archive); }
     Writer(const Writer &) = delete;
     Writer &operator=(const Writer &) = delete;
 
     Result<void> open()
     {
-        if (m_descriptor < 0)
-            return failure(std::strerror(errno));
+        auto opened = OutputFile::open(m_target, FileKind::Zip);
+        if (!opened)
+            return tl::unexpected(opened.error());
+        m_output = std::move(*opened);
         if (archive_write_set_format_zip(m_archive) != ARCHIVE_OK ||
-            archive_write_open_fd(m_archive, m_descriptor) != ARCHIVE_OK)
+            archive_write_open_fd(m_archive, m_output->descriptor()) != ARCHIVE_OK)
             return failure(problemOf(m_archive));
         return {};
     }
@@ -105,7 +95,7 @@ public:
                 return failure(problemOf(m_archive));
             left -= count;
             if (!written(count))
-                return cancelled("pack '" + m_target.string() + "'");
+                return cancelled("pack '" + m_target.file.string() + "'");
         }
         return {};
     }
@@ -114,24 +104,21 @@ public:
     {
         if (archive_write_close(m_archive) != ARCHIVE_OK)
             return failure(problemOf(m_archive));
-        if (::fsync(m_descriptor) != 0 || ::rename(m_part.c_str(), m_target.c_str()) != 0)
-            return failure(std::strerror(errno));
-        syncToDisk(files::absolute(m_target).parent_path());
-        return {};
+        return m_output->commit();
     }
 
 private:
     tl::unexpected<Error> failure(const std::string &why) const
     {
-        return fail(ErrorCode::Io, "cannot write '" + m_target.string() + "'", why, roomAdvice);
+        return fail(ErrorCode::Io, "cannot write '" + m_target.file.string() + "'", why, roomAdvice);
     }
 
-    const std::filesystem::path m_target, m_part;
+    const OutputTarget m_target;
+    std::unique_ptr<OutputFile> m_output;
     archive *const m_archive;
-    const int m_descriptor;
 };
 
-/// Unpacks into a folder of its own, which is gone again unless it was published.
+/// Unpacks into a folder of its own.
 class Reader
 {
 public:
@@ -155,12 +142,14 @@ public:
         m_archiveBytes = files::sizeOf(m_file, problem);
         if (problem)
             m_archiveBytes = 0;
-        const std::filesystem::path parent = files::absolute(m_folder).parent_path();
-        files::makeFolders(parent, problem);
-        auto part = ClaimedFolder::make(parent, m_folder.filename().string() + ".part");
-        if (!part)
-            return failure(part.error().message());
-        m_part.emplace(std::move(*part));
+        const std::filesystem::path around = files::absolute(m_folder).parent_path();
+        files::makeFolders(around, problem);
+        if (auto place = checkOutput({m_folder, Existing::Refuse}, std::nullopt); !place)
+            return tl::unexpected(place.error());
+        auto made = TemporaryFolder::make(around, "unpack into '" + m_folder.string() + "'");
+        if (!made)
+            return tl::unexpected(made.error());
+        m_part = std::move(*made);
         return {};
     }
 
@@ -183,8 +172,9 @@ public:
 
     Result<std::filesystem::path> publish()
     {
-        if (const std::error_code problem = m_part->publish(m_folder))
-            return failure(problem.message());
+        ::chmod(m_part->path().c_str(), 0755); // as any folder
+        if (const int reason = giveFreeName(m_part->path(), m_folder); reason != 0)
+            return failure(std::strerror(reason));
         return m_folder / m_project;
     }
 
@@ -262,7 +252,7 @@ private:
     }
 
     const std::filesystem::path m_file, m_folder;
-    std::optional<ClaimedFolder> m_part; ///< what is read, until it is whole
+    std::unique_ptr<TemporaryFolder> m_part; ///< gone again unless it was published
     archive *const m_archive;
     std::filesystem::path m_project;
     std::uintmax_t m_archiveBytes = 0, m_unpackedBytes = 0;
@@ -270,7 +260,7 @@ private:
 
 } // namespace
 
-Result<void> writeArchive(const std::filesystem::path &archive, const std::vector<ArchiveEntry> &entries,
+Result<void> writeArchive(const OutputTarget &archive, const std::vector<ArchiveEntry> &entries,
                           const JobControl &control)
 {
     std::uintmax_t all = 1, done = 0;

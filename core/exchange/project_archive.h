@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/job_control.h"
+#include "core/files/output_guard.h"
 
 #include <filesystem>
 #include <string>
@@ -20,9 +21,9 @@ struct ArchiveEntry
     std::filesystem::path file;
 };
 
-/// Writes an archive; it appears under its name, in place of one that is there, only when it is whole and on
-/// the disk. Any thread; long. Errors: Io with the file at fault, Cancelled; nothing is left behind then.
-Result<void> writeArchive(const std::filesystem::path &archive, const std::vector<ArchiveEntry> &entries,
+/// Writes an archive as an OutputFile. Any thread; long. Errors: those of OutputFile; Io with the file at fault, Cancelled; nothing is left
+/// behind then.
+Result<void> writeArchive(const OutputTarget &archive, const std::vector<ArchiveEntry> &entries,
                           const JobControl &control);
 
 /// Unpacks an archive into a new folder and gives the path of the project in it. Whatever would leave the

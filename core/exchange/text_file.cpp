@@ -2,7 +2,6 @@
 #include "core/exchange/text_file.h"
 
 #include "core/base/file_system.h"
-#include "core/exchange/whole_file.h"
 
 #include <QFile>
 #include <QStringDecoder>
@@ -95,28 +94,6 @@ Result<std::string> readTextFile(const std::filesystem::path &file, std::size_t 
             return text;
         text += *block;
     }
-}
-
-Result<void> writeTextFile(const std::filesystem::path &file, std::string_view text)
-{
-    const std::string what = "file '" + file.string() + "'";
-    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-    if (!files::isFolder(folder))
-        return fail(ErrorCode::NotFound, what, "there is no folder '" + folder.string() + "'",
-                    "make the folder first, or choose another one");
-    WholeFile output(QString::fromStdString(file.string()));
-    const bool written =
-        output.open(QIODevice::WriteOnly) &&
-        output.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size()) &&
-        output.commit();
-    if (!written)
-        return fail(output.error() == QFileDevice::OpenError ||
-                            output.error() == QFileDevice::PermissionsError
-                        ? ErrorCode::ReadOnly
-                        : ErrorCode::Io,
-                    what, "it cannot be written (" + output.errorString().toStdString() + ")",
-                    "choose a folder that you may write to and that has room");
-    return {};
 }
 
 std::string numberText(double value)

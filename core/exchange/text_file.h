@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <string_view>
 
 namespace odo {
 
@@ -36,9 +35,6 @@ private:
 /// Reads a whole text file as UTF-8; a byte order mark is dropped. Any thread. Refuses, naming the file:
 /// missing, larger than the limit, UTF-16 (with the advice how to save it), bytes that are no text.
 Result<std::string> readTextFile(const std::filesystem::path &file, std::size_t maxBytes = 1 << 20);
-
-/// Writes a text so that under its name there is the old file or the whole new one, never a half.
-Result<void> writeTextFile(const std::filesystem::path &file, std::string_view text);
 
 /// The shortest decimal text that reads back as the same number, with '.', without exponent, whatever the
 /// locale.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/files/protected_files.h"
 #include "core/project/log_copy.h"
 #include "core/project/records.h"
 #include "core/project/write_turn.h"
@@ -80,6 +81,7 @@ private:
     void countChanges() const;
 
     std::filesystem::path m_file;
+    const OpenProjectFile m_open{m_file};
     QString m_name;
     DatabaseAccess m_access;
     std::shared_ptr<WriteTurn> m_turn;

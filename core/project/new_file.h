@@ -4,12 +4,14 @@
 #include "core/base/error.h"
 
 #include <filesystem>
+#include <memory>
 #include <string>
-#include <vector>
 
 namespace odo {
 
-/// A database file in the making: written under a temporary name beside its place, and given its name only
+class TemporaryFolder;
+
+/// A database file in the making: written in a temporary folder beside its place, and given its name only
 /// when it is whole and on the disk. What was not published is removed, with SQLite's side files.
 class NewFile
 {
@@ -20,22 +22,20 @@ public:
     NewFile(const NewFile &) = delete;
     NewFile &operator=(const NewFile &) = delete;
 
-    /// Errors: AlreadyExists, NotFound (no such folder), ReadOnly (the folder cannot be written to).
+    /// Errors: AlreadyExists, those of TemporaryFolder.
     Result<void> prepare();
+    /// An empty file in place of which to write. After prepare().
     const std::filesystem::path &temporary() const { return m_temporary; }
     /// Never replaces a file: AlreadyExists when one appeared in the meantime.
     Result<void> publish();
 
 private:
     tl::unexpected<Error> alreadyThere() const;
+    tl::unexpected<Error> ioError(int reason) const;
 
     std::filesystem::path m_target, m_temporary;
-    std::vector<std::string> m_toRemove; ///< the temporary file, and what SQLite may leave beside it
     std::string m_what;
-    bool m_prepared = false;
+    std::unique_ptr<TemporaryFolder> m_folder;
 };
-
-/// Has the kernel write the file, or the entries of the folder, to the disk. False when it reported an error.
-bool syncToDisk(const std::filesystem::path &path);
 
 } // namespace odo

@@ -2,9 +2,9 @@
 #include "core/project/restored_backup.h"
 
 #include "core/base/file_system.h"
+#include "core/files/temporary.h"
 #include "core/project/connection.h"
 #include "core/project/migrator.h"
-#include "core/project/new_file.h"
 #include "core/project/side_files.h"
 #include "core/project/sound_backup.h"
 
@@ -82,13 +82,6 @@ private:
     bool m_isLinked = false;
 };
 
-/// Removed unless it was given its final name.
-struct FreshCopy
-{
-    const std::filesystem::path file;
-    ~FreshCopy() { ::unlink(file.c_str()); }
-};
-
 } // namespace
 
 Result<RestoredBackup> restoreBackup(const std::filesystem::path &project)
@@ -102,19 +95,21 @@ Result<RestoredBackup> restoreBackup(const std::filesystem::path &project)
     std::filesystem::path real = files::realPath(project, problem); // a link stays one
     if (problem)
         real = project;
-    const FreshCopy fresh{besideFile(real, ".new-" + std::to_string(::getpid()))};
-    files::remove(fresh.file, problem);
+    const auto folder = TemporaryFolder::make(real.parent_path(), what);
+    if (!folder)
+        return refused(folder.error().code, folder.error().why);
+    const std::filesystem::path fresh = (*folder)->path() / real.filename();
     const auto source = ProjectConnection::open(*backup, DatabaseAccess::Immutable);
     if (!source)
         return refused(source.error().code, source.error().why);
-    if (auto copied = copyDatabase(**source, fresh.file); !copied)
+    if (auto copied = copyDatabase(**source, fresh); !copied)
         return refused(copied.error().code, copied.error().why);
     KeptAside aside(real, freeName(besideFile(real, ".damaged")));
     const auto failed = [&refused] { return refused(ErrorCode::Io, std::string("writing it failed (") + std::strerror(errno) + ")"); };
     if (!aside.take())
         return failed();
     syncToDisk(real.parent_path()); // some file systems cannot sync a folder: both files are safe already
-    if (std::rename(fresh.file.c_str(), real.c_str()) != 0)
+    if (std::rename(fresh.c_str(), real.c_str()) != 0)
         return failed();
     aside.keep();
     syncToDisk(real.parent_path());

@@ -3,9 +3,10 @@
 
 namespace odo {
 
-Result<void> renderVideo(const SimulatedScene &scene, int camera, const std::filesystem::path &file,
+Result<void> renderVideo(const SimulatedScene &scene, int camera, const OutputTarget &target,
                          const VideoWriterOptions &options, const JobControl &control)
 {
+    const std::filesystem::path &file = target.file;
     SceneRenderer renderer(scene, camera);
     const std::int64_t count = renderer.frameCount();
     if (count == 0)
@@ -19,7 +20,7 @@ Result<void> renderVideo(const SimulatedScene &scene, int camera, const std::fil
             return cancelled("rendering " + file.string());
         const Frame frame = renderer.render(i);
         if (!writer) {
-            auto created = VideoWriter::create(file, frame.format, options);
+            auto created = VideoWriter::create(target, frame.format, options);
             if (!created)
                 return tl::unexpected(created.error());
             writer = std::move(*created);

@@ -32,7 +32,7 @@ private:
 };
 
 /// Renders one camera to a video file. Errors: those of VideoWriter; Cancelled, leaving no file behind.
-Result<void> renderVideo(const SimulatedScene &scene, int camera, const std::filesystem::path &file,
+Result<void> renderVideo(const SimulatedScene &scene, int camera, const OutputTarget &target,
                          const VideoWriterOptions &options, const JobControl &control);
 
 /// A calibration board held before a camera, painted through its lens. Checkerboard or ChArUco 6X6_250; the

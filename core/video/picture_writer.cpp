@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/picture_writer.h"
 
-#include "core/base/file_system.h"
+#include "core/files/output_file.h"
 #include "core/video/jpeg_encoder.h"
 #include "core/video/libav.h"
 #include "core/video/picture.h"
 
-#include <fstream>
 #include <libyuv/convert_from_argb.h>
 
 namespace odo {
@@ -60,22 +59,13 @@ Result<PackedPicture> packedAs(const std::filesystem::path &ending, const Frame 
 
 } // namespace
 
-Result<void> writePicture(const Frame &frame, const std::filesystem::path &file)
+Result<void> writePicture(const Frame &frame, const OutputTarget &target)
 {
-    const auto failed = [&](const std::string &why) {
-        return fail(ErrorCode::Io, "picture '" + file.string() + "'", why,
-                    "check the folder, the free space, and that the name ends in .png or .jpg");
-    };
-    const auto bytes = packedAs(file.extension(), frame);
+    const auto bytes = packedAs(target.file.extension(), frame);
     if (!bytes)
-        return failed(bytes.error().why);
-    std::ofstream out(file, std::ios::binary);
-    out.write(reinterpret_cast<const char *>(bytes->data()), static_cast<std::streamsize>(bytes->size()));
-    out.close(); // where the last bytes are written
-    if (out)
-        return {};
-    files::remove(file);
-    return failed("it could not be written");
+        return fail(ErrorCode::Io, "picture '" + target.file.string() + "'", bytes.error().why,
+                    "check the folder, the free space, and that the name ends in .png or .jpg");
+    return writeOutput(target, {reinterpret_cast<const char *>(bytes->data()), bytes->size()});
 }
 
 Result<PackedPicture> colourPng(const Frame &frame)

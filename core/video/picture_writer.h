@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/files/output_guard.h"
 #include "core/video/frame.h"
 
 #include <filesystem>
@@ -9,8 +10,8 @@
 
 namespace odo {
 
-/// Writes a frame as a still picture in colour; the ending names the format (.png, .jpg).
-Result<void> writePicture(const Frame &frame, const std::filesystem::path &file);
+/// Writes a frame as a still picture in colour; the ending names the format (.png, .jpg). Errors: those of OutputFile.
+Result<void> writePicture(const Frame &frame, const OutputTarget &target);
 
 /// A frame in colour as a PNG.
 Result<std::vector<unsigned char>> colourPng(const Frame &frame);

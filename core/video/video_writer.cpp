@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/video_writer.h"
 
-#include "core/base/file_system.h"
+#include "core/files/output_file.h"
 #include "core/video/matroska_time_scale.h"
 #include "core/video/video_encoder.h"
 
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fcntl.h>
-#include <unistd.h>
 
 namespace odo {
 
@@ -17,15 +13,6 @@ namespace {
 
 // A block's time stamp is 16 bits relative to its cluster's; in microseconds that is 32 ms.
 constexpr int longestMatroskaClusterUs = 30'000;
-
-bool sync(const std::filesystem::path &path)
-{
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0)
-        return false;
-    const bool synced = ::fsync(descriptor) == 0;
-    return ::close(descriptor) == 0 && synced;
-}
 
 bool sameFormat(const FrameFormat &a, const FrameFormat &b)
 {
@@ -36,9 +23,15 @@ bool sameFormat(const FrameFormat &a, const FrameFormat &b)
 
 } // namespace
 
+FileKind videoKind(const std::filesystem::path &file)
+{
+    return file.extension() == ".mkv" ? FileKind::Matroska : FileKind::Mp4;
+}
+
 struct VideoWriter::Impl
 {
-    std::filesystem::path file, part;
+    std::filesystem::path file;
+    std::unique_ptr<OutputFile> output;
     FrameFormat format;
     VideoWriterOptions options;
     bool matroska = false;
@@ -46,25 +39,18 @@ struct VideoWriter::Impl
     libav::FilterPtr filter;
     AVFormatContext *container = nullptr;
     AVStream *stream = nullptr;
-    bool partExists = false;
     bool failed = false;
     bool started = false;
     Nanoseconds firstTime{0}, lastTime{0};
     std::int64_t lastUs = 0;
 
-    ~Impl()
-    {
-        closeFile();
-        if (partExists)
-            files::remove(part);
-    }
+    ~Impl() { closeFile(); }
     tl::unexpected<Error> problem(int error) const
     {
-        return fail(error == AVERROR(ENOENT) ? ErrorCode::NotFound : ErrorCode::Io,
-                    "cannot write the video " + file.string(), libav::errorText(error),
+        return fail(ErrorCode::Io, "cannot write the video " + file.string(), libav::errorText(error),
                     "check that the folder exists, may be written to and has room");
     }
-    Result<void> openContainer();
+    Result<void> openContainer(const OutputTarget &target);
     Result<void> addStream();
     Result<void> encode(const AVFrame *picture);
     Result<void> mux(AVPacket *packet) const;
@@ -73,17 +59,21 @@ struct VideoWriter::Impl
     Nanoseconds duration() const;
 };
 
-Result<void> VideoWriter::Impl::openContainer()
+Result<void> VideoWriter::Impl::openContainer(const OutputTarget &target)
 {
     const std::string extension = file.extension().string();
-    matroska = extension == ".mkv";
+    matroska = videoKind(file) == FileKind::Matroska;
     if (!matroska && extension != ".mp4")
         return fail(ErrorCode::InvalidInput, "cannot write the video " + file.string(),
                     "its name ends with neither .mkv nor .mp4", "give it one of these endings");
     if (options.codec == VideoCodec::Ffv1 && !matroska)
         return fail(ErrorCode::InvalidInput, "cannot write the video " + file.string(),
                     "FFV1 does not go into MP4", "use the ending .mkv");
-    const std::string name = "file:" + files::absolute(part).string();
+    auto opened = OutputFile::open(target, videoKind(file));
+    if (!opened)
+        return tl::unexpected(opened.error());
+    output = std::move(*opened);
+    const std::string name = "file:" + output->temporary().string(); // absolute
     int error =
         avformat_alloc_output_context2(&container, nullptr, matroska ? "matroska" : "mp4", name.c_str());
     if (error < 0)
@@ -92,7 +82,6 @@ Result<void> VideoWriter::Impl::openContainer()
     error = avio_open2(&container->pb, name.c_str(), AVIO_FLAG_WRITE, nullptr, nullptr);
     if (error < 0)
         return problem(error);
-    partExists = true;
     return {};
 }
 
@@ -182,21 +171,19 @@ Nanoseconds VideoWriter::Impl::duration() const
 VideoWriter::VideoWriter(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
 VideoWriter::~VideoWriter() = default;
 
-Result<std::unique_ptr<VideoWriter>> VideoWriter::create(const std::filesystem::path &file,
+Result<std::unique_ptr<VideoWriter>> VideoWriter::create(const OutputTarget &target,
                                                          const FrameFormat &format,
                                                          const VideoWriterOptions &options)
 {
     libav::quieten();
     if (!(options.nominalFramesPerSecond > 0.0 && options.nominalFramesPerSecond <= 100'000.0))
-        return fail(ErrorCode::InvalidInput, "cannot write the video " + file.string(),
+        return fail(ErrorCode::InvalidInput, "cannot write the video " + target.file.string(),
                     "its frame rate is not positive", "give the frames per second, e.g. 30");
     auto impl = std::make_unique<Impl>();
-    impl->file = file;
-    impl->part = file;
-    impl->part += ".part";
+    impl->file = target.file;
     impl->format = format;
     impl->options = options;
-    if (auto opened = impl->openContainer(); !opened)
+    if (auto opened = impl->openContainer(target); !opened)
         return tl::unexpected(opened.error());
     if (auto added = impl->addStream(); !added)
         return tl::unexpected(added.error());
@@ -246,14 +233,9 @@ Result<void> VideoWriter::finish()
     if (const int error = d.closeFile(); error < 0)
         return d.problem(error);
     if (d.matroska)
-        if (auto scaled = setMicrosecondScale(d.part, d.duration()); !scaled)
+        if (auto scaled = setMicrosecondScale(d.output->temporary(), d.duration()); !scaled)
             return scaled;
-    if (!sync(d.part) || std::rename(d.part.c_str(), d.file.c_str()) != 0)
-        return fail(ErrorCode::Io, what, std::strerror(errno),
-                    "check that the folder may be written to and has room");
-    d.partExists = false;
-    sync(files::absolute(d.file).parent_path());
-    return {};
+    return d.output->commit();
 }
 
 } // namespace odo

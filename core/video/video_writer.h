@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/files/output_guard.h"
 #include "core/video/frame.h"
 
 #include <filesystem>
@@ -22,18 +23,20 @@ struct VideoWriterOptions
     int maxBFrames = 0;      ///< H264 in MP4 only: frames that are coded out of order
 };
 
+/// Of a video of that name: Matroska where it ends with .mkv, else MP4.
+FileKind videoKind(const std::filesystem::path &file);
+
 /// Writes frames with their exact times (variable rate allowed, microseconds, counted from the first frame)
-/// to a file that appears under its name only when finish() succeeded: it is written beside it as ".part"
-/// first, and takes the place of an older file of that name. The ending decides the container: .mkv or .mp4
+/// to a file that appears under its name only when finish() succeeded (OutputFile). The ending decides the container: .mkv or .mp4
 /// (not for FFV1). The same frames and options give the same bytes on every machine
 /// (with one thread). Not thread-safe.
 class VideoWriter
 {
 public:
-    /// Errors: unknown ending, a folder that cannot be written to, a format that the codec cannot take (H264
+    /// Errors: unknown ending, those of OutputFile, a format that the codec cannot take (H264
     /// needs an even size).
     static Result<std::unique_ptr<VideoWriter>>
-    create(const std::filesystem::path &file, const FrameFormat &format, const VideoWriterOptions &options);
+    create(const OutputTarget &target, const FrameFormat &format, const VideoWriterOptions &options);
     ~VideoWriter(); ///< without finish(): removes the partial file
     VideoWriter(const VideoWriter &) = delete;
     VideoWriter &operator=(const VideoWriter &) = delete;

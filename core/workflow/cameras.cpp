@@ -42,7 +42,7 @@ Result<IntrinsicsRecord> importIntrinsics(Project &project, const std::string &c
     return record;
 }
 
-Result<void> exportIntrinsics(Project &project, const std::string &camera, const std::filesystem::path &file)
+Result<void> exportIntrinsics(Project &project, const std::string &camera, const OutputTarget &target)
 {
     const auto found = project.cameras().find(camera);
     if (!found)
@@ -53,7 +53,7 @@ Result<void> exportIntrinsics(Project &project, const std::string &camera, const
     if (!*intrinsics)
         return fail(ErrorCode::NotFound, "intrinsics of camera '" + camera + "'", "it was never calibrated",
                     "run odograph calibrate, or odograph intrinsics import");
-    return writeIntrinsics(file, camera, (*intrinsics)->calibration.intrinsics);
+    return writeIntrinsics(target, camera, (*intrinsics)->calibration.intrinsics);
 }
 
 } // namespace odo

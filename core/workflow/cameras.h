@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/files/output_guard.h"
 #include "core/project/records.h"
 
 #include <filesystem>
@@ -20,6 +21,6 @@ Result<IntrinsicsRecord> importIntrinsics(Project &project, const std::string &c
                                           const std::filesystem::path &file);
 
 /// Writes the camera's intrinsics in force; the format follows the file's name (.yml OpenCV, otherwise ROS).
-Result<void> exportIntrinsics(Project &project, const std::string &camera, const std::filesystem::path &file);
+Result<void> exportIntrinsics(Project &project, const std::string &camera, const OutputTarget &target);
 
 } // namespace odo

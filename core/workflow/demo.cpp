@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/demo.h"
 
-#include "core/base/claimed_folder.h"
 #include "core/base/file_system.h"
 #include "core/base/shortage.h"
 #include "core/exchange/layout_csv.h"
+#include "core/files/temporary.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/simulation/board_poses.h"
@@ -17,7 +17,6 @@
 #include "core/workflow/register_job.h"
 #include "core/workflow/track_job.h"
 #include "core/workflow/truth_files.h"
-
 
 namespace odo {
 
@@ -138,7 +137,9 @@ private:
             JobControl mine = control;
             if (c > 0)
                 mine.progress = nullptr; // the views go on side by side: the first speaks for all
-            results[c] = renderVideo(scene, int(c), videoFile(t, scene.cameras[c]), {}, mine);
+            OutputTarget target = videoFile(t, scene.cameras[c]);
+            target.isOwnMedia = true;
+            results[c] = renderVideo(scene, int(c), target, {}, mine);
         });
         for (const auto &result : results) {
             if (!result)
@@ -264,16 +265,13 @@ std::error_code moveParts(const fs::path &from, const fs::path &to)
 
 Result<void> makeIn(const fs::path &folder, const std::string &what, const JobControl &control)
 {
-    const auto failed = [&](const std::error_code &problem) {
-        return fail(ErrorCode::Io, what, problem.message(), demoAdvice);
-    };
-    const auto staging = ClaimedFolder::make(folder, ".demo");
+    const auto staging = TemporaryFolder::make(folder, what);
     if (!staging)
-        return failed(staging.error());
-    if (auto built = buildIn(staging->path(), control); !built)
+        return tl::unexpected(staging.error());
+    if (auto built = buildIn((*staging)->path(), control); !built)
         return built;
-    const std::error_code problem = moveParts(staging->path(), folder);
-    return problem ? failed(problem) : Result<void>();
+    const std::error_code problem = moveParts((*staging)->path(), folder);
+    return problem ? fail(ErrorCode::Io, what, problem.message(), demoAdvice) : Result<void>();
 }
 
 } // namespace

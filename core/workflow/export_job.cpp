@@ -2,7 +2,7 @@
 #include "core/workflow/export_job.h"
 
 #include "core/base/file_system.h"
-#include "core/exchange/text_file.h"
+#include "core/files/output_file.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 
@@ -46,10 +46,7 @@ Result<void> ExportJob::writeAll(const JobControl &control)
             return cancelled("export of '" + m_trial + "'");
         const std::string name = m_analyses.size() > 1 ? m_trial + " " + analysis.robotName : m_trial;
         const std::filesystem::path file = m_folder / (fileNameOf(name) + ".csv");
-        if (files::exists(file))
-            return fail(ErrorCode::AlreadyExists, "file '" + file.string() + "'", "it is there already",
-                        "choose an empty folder");
-        if (auto written = writeTextFile(file, trackCsv(analysis, m_style)); !written)
+        if (auto written = writeOutput({file, Existing::Refuse}, trackCsv(analysis, m_style)); !written)
             return written;
         m_files.push_back(file);
     }

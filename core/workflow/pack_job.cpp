@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/pack_job.h"
 
-#include "core/base/claimed_folder.h"
 #include "core/base/file_system.h"
+#include "core/files/temporary.h"
 #include "core/project/own_media.h"
 #include "core/project/project.h"
 #include "core/project/recording_rows.h"
@@ -74,7 +74,7 @@ Result<void> PackJob::prepare(Project &project)
 {
     m_project = realProjectFile(project.file()); // whose name its media folder has
     m_mediaFolder = project.mediaFolder();
-    return {};
+    return checkOutput(m_archive, FileKind::Zip).map([](const OutputPlace &) {});
 }
 
 /// Which videos come from elsewhere, and which are lost or replaced.
@@ -103,11 +103,13 @@ Result<void> PackJob::look(Project &project, const JobControl &control)
             const auto isIts = isItsVideo(file, recording, control);
             if (!isIts)
                 return tl::unexpected(isIts.error());
-            if (*isIts)
+            if (*isIts) {
                 m_elsewhere.push_back({recording.id, file});
-            else
+                m_inputs.add(file);
+            } else {
                 m_warnings.push_back("the video of camera " + recording.cameraName + " in trial '" + trial +
                                      "' lies elsewhere and is another file than it was, and not in the packed project");
+            }
         }
     }
     return {};
@@ -153,11 +155,10 @@ Result<void> PackJob::copyProject(const std::filesystem::path &copy, std::vector
 Result<void> PackJob::run(const JobControl &control)
 {
     // Beside the archive: there is room for it, or there is none at all.
-    const auto work = ClaimedFolder::make(m_archive.parent_path(), ".pack");
+    const auto work = TemporaryFolder::make(files::absolute(m_archive.file).parent_path(), "file '" + m_archive.file.string() + "'");
     if (!work)
-        return fail(ErrorCode::Io, "cannot write '" + m_archive.string() + "'", work.error().message(),
-                    "check the free space and the rights of its folder");
-    const std::filesystem::path copy = work->path() / m_project.filename();
+        return tl::unexpected(work.error());
+    const std::filesystem::path copy = (*work)->path() / m_project.filename();
     std::vector<ArchiveEntry> entries;
     control.report(0, "copying the project");
     if (auto copied = copyProject(copy, entries, control); !copied)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/exchange/project_archive.h"
+#include "core/files/protected_files.h"
 #include "core/project/records.h"
 #include "core/workflow/job.h"
 
@@ -18,9 +19,9 @@ namespace odo {
 class PackJob : public Job
 {
 public:
-    explicit PackJob(std::filesystem::path archive) : m_archive(std::move(archive)) {}
+    explicit PackJob(OutputTarget archive) : m_archive(std::move(archive)) {}
     Result<void> prepare(Project &project) override;
-    /// InvalidInput while a trial is being recorded.
+    /// Errors: those of OutputFile; InvalidInput while a trial is being recorded.
     Result<void> run(const JobControl &control) override;
     Result<void> commit(Project &) override { return {}; }
 
@@ -35,9 +36,10 @@ private:
     Result<void> look(Project &project, const JobControl &control);
     Result<void> copyProject(const std::filesystem::path &copy, std::vector<ArchiveEntry> &entries, const JobControl &control);
 
-    const std::filesystem::path m_archive;
+    const OutputTarget m_archive;
     std::filesystem::path m_project, m_mediaFolder;
     std::vector<Elsewhere> m_elsewhere;
+    InputFiles m_inputs;
     std::vector<std::string> m_warnings;
 };
 

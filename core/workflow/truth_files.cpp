@@ -4,6 +4,7 @@
 #include "core/base/file_system.h"
 #include "core/exchange/file_name.h"
 #include "core/exchange/text_file.h"
+#include "core/files/output_file.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 
@@ -20,7 +21,7 @@ Result<void> writeTruthCsv(const std::filesystem::path &file, const TruthSeries 
             text += ',' + numberText(toMillimetres(pair.x())) + "," + numberText(toMillimetres(pair.y()));
         text += "\n";
     }
-    return writeTextFile(file, text);
+    return writeOutput(file, text);
 }
 
 } // namespace

@@ -143,7 +143,7 @@ private Q_SLOTS:
         QCOMPARE(good("list %P --json").json().value(QStringLiteral("trials")).toArray().size(), 1);
         QCOMPARE(good("show %P run1 --json").json().value(QStringLiteral("team")).toString(), QStringLiteral("Falcon"));
         for (const char *format : {"csv", "tum", "json", "tracker"})
-            QCOMPARE(good((QByteArray("export %P run1 -o %/out.txt --format ") + format).constData()).exitStatus, 0);
+            QCOMPARE(good((QByteArray("export %P run1 -o %/out.txt --force --format ") + format).constData()).exitStatus, 0);
         const QJsonObject video = good("export %P run1 -o %/run1.mp4 --format video --speed 0.5 --size 640x360 --theme dark --json").json();
         QVERIFY(video.value(QStringLiteral("pictures")).toInt() >= 58);
         QVERIFY(QFileInfo(m_folder.filePath(QStringLiteral("run1.mp4"))).size() > 10'000);

@@ -247,7 +247,7 @@ private Q_SLOTS:
                     .contains(QLatin1String("robot 'Pink' was not tracked in it, but 'Green 3'; track it, or choose another")));
         QVERIFY(error({eight, other, QStringLiteral("--align"), QStringLiteral("north")}, 2).contains(QLatin1String("--align is auto")));
         QVERIFY(error({eight, other, QStringLiteral("-o"), QStringLiteral("/nowhere/report.pdf")}, 1)
-                    .contains(QLatin1String("nothing was written")));
+                    .contains(QLatin1String("there is no folder")));
         QVERIFY(error({eight}, 2).contains(QLatin1String("compare")));
     }
 

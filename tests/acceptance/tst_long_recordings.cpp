@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/intrinsics_yaml.h"
 #include "core/exchange/layout_csv.h"
-#include "core/exchange/text_file.h"
+#include "core/files/output_file.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
 #include "tests/support/looped_video.h"
@@ -81,7 +81,7 @@ void TestLongRecordings::makeProject()
                 camera.view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0});
             pixels += marker.label + "," + numberText(pixel->x()) + "," + numberText(pixel->y()) + "\n";
         }
-        QVERIFY(writeTextFile(file(name + s(".csv")), pixels));
+        QVERIFY(writeOutput(file(name + s(".csv")), pixels));
         QVERIFY(writeIntrinsics(file(name + s(".yaml")), camera.name, camera.view.camera().intrinsics()));
         run({s("camera"), s("add"), m_project, name});
         run({s("intrinsics"), s("import"), m_project, name, path(name + s(".yaml"))});

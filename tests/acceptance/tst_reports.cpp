@@ -73,7 +73,7 @@ private Q_SLOTS:
                                << QStringLiteral("class '7C': the project has '9B'");
         QTest::newRow("logo") << QStringList{trial, o, file, QStringLiteral("--logo"), path("no.png")} << 1
                               << QStringLiteral("choose a PNG, JPEG or SVG picture");
-        QTest::newRow("folder") << QStringList{trial, o, path("no/where.pdf")} << 1 << QStringLiteral("nothing was written");
+        QTest::newRow("folder") << QStringList{trial, o, path("no/where.pdf")} << 1 << QStringLiteral("there is no folder");
     }
     void whatCannotBeIsSaidInALine()
     {

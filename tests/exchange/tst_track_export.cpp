@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/text_file.h"
+#include "core/files/output_file.h"
 #include "core/exchange/track_csv.h"
 #include "core/exchange/track_text.h"
 #include "core/exchange/trial_json.h"
@@ -227,11 +228,11 @@ private Q_SLOTS:
     {
         const QTemporaryDir folder;
         const std::filesystem::path file = folder.filePath(QString::fromUtf8("Läufe.csv")).toStdString();
-        QVERIFY(writeTextFile(file, "old").has_value());
-        QVERIFY(writeTextFile(file, "new").has_value());
+        QVERIFY(writeOutput(file, "old").has_value());
+        QVERIFY(writeOutput(file, "new").has_value());
         QCOMPARE(*readTextFile(file, 100), std::string("new"));
-        QVERIFY(!writeTextFile(file / "below a file", "x").has_value());
-        QVERIFY(!writeTextFile(std::filesystem::path(folder.path().toStdString()), "x").has_value());
+        QVERIFY(!writeOutput(file / "below a file", "x").has_value());
+        QVERIFY(!writeOutput(std::filesystem::path(folder.path().toStdString()), "x").has_value());
         const auto entries = std::filesystem::directory_iterator(folder.path().toStdString());
         QCOMPARE(std::distance(begin(entries), end(entries)), std::ptrdiff_t(1));
     }

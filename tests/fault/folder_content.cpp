@@ -57,7 +57,7 @@ FolderContent contentOf(const std::filesystem::path &folder)
 bool isInTheMaking(const QString &name)
 {
     static const QRegularExpression making(
-        QStringLiteral("\\.part(-[A-Za-z0-9]{6})?(/|$)|\\.new-[0-9]+|(^|/)\\.pack-|\\.[A-Za-z]{6}$|-wal$|-shm$|-journal$"));
+        QStringLiteral("(^|/)\\.odograph-[a-z2-7]{12}\\.part(/|$)|\\.[A-Za-z]{6}$|-wal$|-shm$|-journal$"));
     return making.match(name).hasMatch();
 }
 

@@ -108,8 +108,7 @@ void HistoryActions::exportVideos(const QStringList &trials)
     m_doneWords = tr("Videos made: %1 of %2.");
     const auto make = [path = pathOf(folder), settings = dialog.settings()](const std::string &trial) {
         AnnotatedVideoSettings own = settings;
-        own.file = path / (fileNameOf(trial) + ".mp4");
-        own.replaces = false;
+        own.target = {path / (fileNameOf(trial) + ".mp4"), Existing::Refuse};
         return std::make_shared<AnnotatedVideoJob>(trial, own);
     };
     if (const Result<void> started = m_batch->start(trials, {tr("Making the video of %1 (%2 of %3)"), make, {}});

@@ -15,13 +15,12 @@
 #include "ui/report/report_job.h"
 #include "ui/report/report_preview.h"
 #include "ui/views/command_names.h"
+#include "ui/views/output_question.h"
 #include "ui/views/path_field.h"
 #include "ui/views/theme_icon.h"
 
 #include <QAction>
 #include <QDir>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QPrintDialog>
 #include <QPrinter>
 #include <QStandardPaths>
@@ -132,14 +131,16 @@ void ReportActions::ask(QList<ReportSubject> subjects)
 void ReportActions::save()
 {
     const QDir folder(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
-    const QString title = m_dialog->proposedName(), name = QString::fromStdString(fileNameOf(title.toStdString()));
-    QString file = QFileDialog::getSaveFileName(m_dialog.get(), tr("Save the report"), folder.filePath(name + u'.' + ending),
-                                                tr("PDF files (*.pdf)"));
-    if (file.isEmpty())
-        return;
-    if (QFileInfo(file).suffix().isEmpty())
-        file += u'.' + ending;
-    start(std::make_unique<PdfFile>(pathOf(file), title), tr("The report is in %1.").arg(QDir::toNativeSeparators(file)));
+    const QString name = QString::fromStdString(fileNameOf(m_dialog->proposedName().toStdString()));
+    const auto chosen = askOutput(m_dialog.get(), tr("Save the report"), folder.filePath(name + u'.' + ending),
+                                  {{tr("PDF files (*.pdf)"), ending, FileKind::Pdf}});
+    if (chosen)
+        write(*chosen);
+}
+
+void ReportActions::write(const ChosenOutput &output)
+{
+    start(std::make_unique<PdfFile>(output.target, m_dialog->proposedName()), tr("The report is in %1.").arg(QDir::toNativeSeparators(output.file)));
 }
 
 void ReportActions::print()
@@ -149,6 +150,8 @@ void ReportActions::print()
     QPrintDialog question(printer.get(), m_dialog.get());
     if (question.exec() != QDialog::Accepted)
         return;
+    if (const QString file = printer->outputFileName(); !file.isEmpty()) // not by Qt, which would write over anything; it has asked
+        return write({{pathOf(file), Existing::ReplaceAny}, file});
     const QString words = tr("The report is with the printer %1.").arg(printer->printerName());
     start(std::make_unique<PrintedPages>(std::move(printer)), words);
 }

@@ -16,6 +16,7 @@ namespace odo {
 class PageOutput;
 class ProjectPages;
 class Workspace;
+struct ChosenOutput;
 
 /// Reports of what the window shows: asks what and how with a preview, and saves or prints it by a job. Owns the
 /// action. GUI thread.
@@ -44,6 +45,7 @@ private:
     QList<ReportSubject> shownSubjects() const;
     ReportChoices choices() const;
     void save();
+    void write(const ChosenOutput &output);
     void print();
     void start(std::unique_ptr<PageOutput> output, const QString &doneWords);
 

@@ -8,6 +8,7 @@
 #include "ui/main_window/workspace.h"
 #include "ui/models/core_words.h"
 #include "ui/views/command_names.h"
+#include "ui/views/output_question.h"
 #include "ui/views/path_field.h"
 
 #include <QAction>
@@ -58,21 +59,17 @@ void TransferActions::tellFailure(const Result<void> &result)
 void TransferActions::askPack()
 {
     const QFileInfo own(textOf(m_workspace.project()->file()));
-    QString archive = QFileDialog::getSaveFileName(
-        &m_window, tr("Pack the project with its videos"),
-        own.dir().filePath(own.completeBaseName() + QLatin1String(archiveSuffix)),
-        tr("Packed projects (*%1)").arg(QLatin1String(archiveSuffix)));
-    if (archive.isEmpty())
-        return;
-    if (QFileInfo(archive).suffix().isEmpty())
-        archive += QLatin1String(archiveSuffix);
-    pack(archive);
+    const QString suffix = QLatin1String(archiveSuffix);
+    const auto chosen = askOutput(&m_window, tr("Pack the project with its videos"), own.dir().filePath(own.completeBaseName() + suffix),
+                                  {{tr("Packed projects (*%1)").arg(suffix), suffix.mid(1), FileKind::Zip}});
+    if (chosen)
+        pack(*chosen);
 }
 
-void TransferActions::pack(const QString &archive)
+void TransferActions::pack(const ChosenOutput &archive)
 {
-    const auto job = std::make_shared<PackJob>(pathOf(archive));
-    tellFailure(m_workspace.start(job, tr("Packing the project"), [this, job, archive] {
+    const auto job = std::make_shared<PackJob>(archive.target);
+    tellFailure(m_workspace.start(job, tr("Packing the project"), [this, job, archive = archive.file] {
         QStringList sentences{
             tr("The project is packed into %1. Elsewhere it is unpacked by \"Unpack a packed project\".")
                 .arg(QDir::toNativeSeparators(archive))};

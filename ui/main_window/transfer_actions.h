@@ -15,6 +15,7 @@ namespace odo {
 
 class FindStraysJob;
 class Workspace;
+struct ChosenOutput;
 
 /// Taking a project elsewhere: packing it into one file with its videos, unpacking such a file, finding
 /// videos that were lost on the way, and files in its media folder that belong to nothing. Owns the actions and asks for the files.
@@ -45,7 +46,7 @@ private:
     void askStrays(const FindStraysJob &found);
     void adopt(const std::vector<std::filesystem::path> &videos);
     void removeStrays(const std::vector<std::filesystem::path> &files);
-    void pack(const QString &archive);
+    void pack(const ChosenOutput &archive);
     void tellFailure(const Result<void> &result);
 
     Workspace &m_workspace;

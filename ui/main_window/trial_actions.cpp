@@ -23,14 +23,12 @@
 #include "ui/models/figure_text.h"
 #include "ui/models/shown_team.h"
 #include "ui/views/command_names.h"
-#include "ui/views/path_field.h"
+#include "ui/views/output_question.h"
 #include "ui/views/theme.h"
 #include "ui/views/theme_icon.h"
 
 #include <QAction>
 #include <QDir>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QMenu>
 #include <QStandardPaths>
 #include <QWidget>
@@ -276,16 +274,14 @@ void TrialActions::askVideo()
         return;
     const QDir folder(QStandardPaths::writableLocation(QStandardPaths::MoviesLocation));
     const QString offered = QString::fromStdString(fileNameOf(m_trial.toStdString()) + ".mp4");
-    QString file = QFileDialog::getSaveFileName(&m_window, tr("Video of %1").arg(m_trial), folder.filePath(offered),
-                                                tr("MP4 videos (*.mp4)"));
-    if (file.isEmpty())
+    const auto chosen = askOutput(&m_window, tr("Video of %1").arg(m_trial), folder.filePath(offered),
+                                  {{tr("MP4 videos (*.mp4)"), QStringLiteral("mp4"), FileKind::Mp4, true}});
+    if (!chosen)
         return;
-    if (QFileInfo(file).suffix() != QLatin1String("mp4"))
-        file += QStringLiteral(".mp4");
     AnnotatedVideoSettings settings = dialog.settings();
-    settings.file = pathOf(file);
+    settings.target = chosen->target;
     const auto job = std::make_shared<AnnotatedVideoJob>(m_trial.toStdString(), settings);
-    tellFailure(m_workspace.start(job, tr("Making the video of %1").arg(m_trial), [this, file, trial = m_trial] {
+    tellFailure(m_workspace.start(job, tr("Making the video of %1").arg(m_trial), [this, file = chosen->file, trial = m_trial] {
         Q_EMIT done(tr("The video of %1 is there: %2").arg(trial, QDir::toNativeSeparators(file)));
     }));
 }

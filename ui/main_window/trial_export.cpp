@@ -2,17 +2,15 @@
 #include "ui/main_window/trial_export.h"
 
 #include "core/exchange/file_name.h"
-#include "core/exchange/text_file.h"
 #include "core/exchange/track_csv.h"
 #include "core/exchange/track_text.h"
+#include "core/files/output_file.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "ui/views/path_field.h"
+#include "ui/views/output_question.h"
 
 #include <QCoreApplication>
 #include <QDir>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QInputDialog>
 #include <QList>
 #include <QStandardPaths>
@@ -27,7 +25,7 @@ class TrialExportWords
 
 struct Format
 {
-    QString filter, suffix;
+    OutputFormat output;
     std::string (*text)(const AnalysisRecord &analysis);
 };
 
@@ -39,14 +37,12 @@ std::string csvText(const AnalysisRecord &analysis)
 
 QList<Format> formats()
 {
-    return {{TrialExportWords::tr("CSV for programs (*.csv)"), QStringLiteral("csv"),
-             &csvText<CsvStyle::Analysis>},
-            {TrialExportWords::tr("CSV for spreadsheets, 1.5 (*.csv)"), QStringLiteral("csv"),
-             &csvText<CsvStyle::International>},
-            {TrialExportWords::tr("CSV for spreadsheets, 1,5 (*.csv)"), QStringLiteral("csv"),
-             &csvText<CsvStyle::Continental>},
-            {TrialExportWords::tr("Tracker text (*.txt)"), QStringLiteral("txt"), &trackTracker},
-            {TrialExportWords::tr("TUM trajectory (*.tum)"), QStringLiteral("tum"), &trackTum}};
+    const QString csv = QStringLiteral("csv");
+    return {{{TrialExportWords::tr("CSV for programs (*.csv)"), csv, FileKind::Csv}, &csvText<CsvStyle::Analysis>},
+            {{TrialExportWords::tr("CSV for spreadsheets, 1.5 (*.csv)"), csv, FileKind::Csv}, &csvText<CsvStyle::International>},
+            {{TrialExportWords::tr("CSV for spreadsheets, 1,5 (*.csv)"), csv, FileKind::Csv}, &csvText<CsvStyle::Continental>},
+            {{TrialExportWords::tr("Tracker text (*.txt)"), QStringLiteral("txt"), FileKind::Tracker}, &trackTracker},
+            {{TrialExportWords::tr("TUM trajectory (*.tum)"), QStringLiteral("tum"), FileKind::Tum}, &trackTum}};
 }
 
 /// The index of the one that is meant; -1: the person thought better of it.
@@ -80,25 +76,18 @@ Result<QString> exportTrial(Project &project, const QString &trial, QWidget &win
     const int robot = chooseRobot(*analyses, window);
     if (robot < 0)
         return QString();
-    QStringList filters;
+    QList<OutputFormat> outputs;
     for (const Format &format : formats())
-        filters << format.filter;
-    const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    QString chosen = filters.front();
-    QString file = QFileDialog::getSaveFileName(
-        &window, TrialExportWords::tr("Export %1").arg(trial),
-        QDir(folder).filePath(QString::fromStdString(fileNameOf(trial.toStdString())) +
-                              QStringLiteral(".csv")),
-        filters.join(QStringLiteral(";;")), &chosen);
-    if (file.isEmpty())
+        outputs << format.output;
+    const QDir folder(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+    const QString offered = QString::fromStdString(fileNameOf(trial.toStdString())) + QStringLiteral(".csv");
+    const auto chosen = askOutput(&window, TrialExportWords::tr("Export %1").arg(trial), folder.filePath(offered), outputs);
+    if (!chosen)
         return QString();
-    const Format format = formats().at(std::max(0, static_cast<int>(filters.indexOf(chosen))));
-    if (QFileInfo(file).suffix().isEmpty())
-        file += QLatin1Char('.') + format.suffix;
-    const std::string text = format.text(analyses->at(static_cast<std::size_t>(robot)));
-    if (const Result<void> written = writeTextFile(pathOf(file), text); !written)
+    const std::string text = formats().at(chosen->format).text(analyses->at(static_cast<std::size_t>(robot)));
+    if (const Result<void> written = writeOutput(chosen->target, text); !written)
         return tl::unexpected(written.error());
-    return TrialExportWords::tr("%1 was exported to %2.").arg(trial, QDir::toNativeSeparators(file));
+    return TrialExportWords::tr("%1 was exported to %2.").arg(trial, QDir::toNativeSeparators(chosen->file));
 }
 
 } // namespace odo

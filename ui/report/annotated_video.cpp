@@ -107,16 +107,15 @@ Result<void> AnnotatedVideoJob::prepare(Project &project)
     m_scene = std::move(*scene);
     if (m_scene->frameTimes().empty())
         return fail(ErrorCode::NotFound, what(), "the trial has no recording", "choose one that was recorded");
-    for (const SceneView &view : m_scene->views)
+    for (const SceneView &view : m_scene->views) {
         if (!files::exists(view.file))
             return fail(ErrorCode::NotFound, what(),
                         "the recording of camera " + view.camera + " is not at '" + view.file.string() + "'",
                         "bring the file back to its place");
-    if (!m_settings.replaces && files::exists(m_settings.file))
-        return fail(ErrorCode::AlreadyExists, "file '" + m_settings.file.string() + "'", "it is there already",
-                    "choose an empty folder");
+        m_inputs.add(view.file);
+    }
     m_font = QGuiApplication::font();
-    return {};
+    return checkOutput(m_settings.target, videoKind(m_settings.target.file)).map([](const OutputPlace &) {});
 }
 
 Result<void> AnnotatedVideoJob::run(const JobControl &control)
@@ -151,7 +150,7 @@ Result<void> AnnotatedVideoJob::writePictures(const JobControl &control, Annotat
     format.width = m_settings.sizePx.width();
     format.height = m_settings.sizePx.height();
     format.siting = ChromaSiting::Center;
-    auto writer = VideoWriter::create(m_settings.file, format, options);
+    auto writer = VideoWriter::create(m_settings.target, format, options);
     if (!writer)
         return tl::unexpected(writer.error());
     for (std::size_t i = 0; i < times.size(); ++i) {

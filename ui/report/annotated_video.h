@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/files/output_guard.h"
+#include "core/files/protected_files.h"
 #include "core/workflow/job.h"
 #include "ui/models/trial_scene.h"
 
 #include <QFont>
 #include <QSize>
-#include <filesystem>
 #include <string>
 
 namespace odo {
@@ -19,11 +20,10 @@ struct AnnotatedVideoSettings
     static bool isSpeed(double speed); ///< from 0.1 to 1
     static bool isSize(QSize sizePx);  ///< even, from 320x180 to 3840x2160
 
-    std::filesystem::path file; ///< .mp4, or .mkv
+    OutputTarget target;        ///< .mp4, or .mkv
     QSize sizePx{1920, 1080};   ///< even
     double speed = 1;           ///< times the pace of the run; below 1 is slow motion
     bool isDark = false;
-    bool replaces = true; ///< an older file of that name; else AlreadyExists
 };
 
 /// The times of the first view that get a picture: all of its frames, and of a fast camera so many that no more than 60 are
@@ -31,8 +31,8 @@ struct AnnotatedVideoSettings
 std::vector<Nanoseconds> shownTimes(const std::vector<Nanoseconds> &frameTimes, double speed);
 
 /// Makes one video (H.264, 4:2:0) of a trial: all views with their overlays, the map and the speed, as AnnotatedPicture paints
-/// them; a picture for each of shownTimes. It is written beside the file first: one that
-/// fails or is cancelled leaves nothing, and an older file of that name as it was. Prepare on the GUI thread; needs a
+/// them; a picture for each of shownTimes. What
+/// fails or is cancelled leaves nothing, and an older file of that name as it was (OutputFile). Prepare on the GUI thread; needs a
 /// QGuiApplication. Errors: a size or speed out of range, a trial without videos, a video that is lost, those of VideoWriter.
 class AnnotatedVideoJob : public Job
 {
@@ -52,6 +52,7 @@ private:
     std::string m_trial;
     AnnotatedVideoSettings m_settings;
     TrialScenePtr m_scene;
+    InputFiles m_inputs;
     QFont m_font;
     int m_pictureCount = 0;
     double m_durationS = 0;

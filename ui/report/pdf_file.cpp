@@ -19,23 +19,18 @@ QPageLayout layoutOf(const PageFormat &format)
 
 } // namespace
 
-PdfFile::PdfFile(const std::filesystem::path &file, const QString &title)
-    : m_title(title), m_file(QString::fromStdString(file.string()))
-{
-}
+PdfFile::PdfFile(OutputTarget target, const QString &title) : m_target(std::move(target)), m_title(title) {}
 
 PdfFile::~PdfFile() = default;
 
-tl::unexpected<Error> PdfFile::failure() const
-{
-    return fail(ErrorCode::Io, "report '" + m_file.fileName().toStdString() + "'", m_file.errorString().toStdString(),
-                "check the folder, the rights and the room on the disk; nothing was written");
-}
-
 Result<void> PdfFile::begin(const PageFormat &format)
 {
-    if (!m_file.open(QIODevice::WriteOnly))
-        return failure();
+    auto opened = OutputFile::open(m_target, FileKind::Pdf);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    m_output = std::move(*opened);
+    if (!m_file.open(m_output->descriptor(), QIODevice::WriteOnly))
+        return m_output->failure(m_file.errorString().toStdString());
     m_writer = std::make_unique<QPdfWriter>(&m_file);
     m_writer->setTitle(m_title);
     m_writer->setCreator(QStringLiteral("Odograph " ODOGRAPH_VERSION));
@@ -60,21 +55,22 @@ Result<void> PdfFile::add(const ReportPage &page)
     page.paint(*m_painter);
     m_painter->restore();
     if (m_file.error() != QFileDevice::NoError)
-        return failure();
+        return m_output->failure(m_file.errorString().toStdString());
     return {};
 }
 
 Result<void> PdfFile::finish()
 {
     if (!m_writer)
-        return fail(ErrorCode::InvalidInput, "report '" + m_file.fileName().toStdString() + "'", "it has no page",
+        return fail(ErrorCode::InvalidInput, "report '" + m_target.file.string() + "'", "it has no page",
                     "choose a trial or a class");
     m_painter->end();
     m_painter.reset();
     m_writer.reset();
-    if (!m_file.commit())
-        return failure();
-    return {};
+    if (!m_file.flush() || m_file.error() != QFileDevice::NoError)
+        return m_output->failure(m_file.errorString().toStdString());
+    m_file.close();
+    return m_output->commit();
 }
 
 } // namespace odo

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/exchange/whole_file.h"
+#include "core/files/output_file.h"
 #include "ui/report/page_output.h"
 
-#include <filesystem>
+#include <QFile>
 #include <memory>
 
 class QPdfWriter;
@@ -16,21 +16,22 @@ namespace odo {
 class PdfFile : public PageOutput
 {
 public:
-    PdfFile(const std::filesystem::path &file, const QString &title);
+    PdfFile(OutputTarget target, const QString &title);
     ~PdfFile() override;
 
-    /// Io where the file cannot be written.
+    /// Errors: those of OutputFile.
     Result<void> add(const ReportPage &page) override;
-    /// Io likewise.
+    /// Likewise.
     Result<void> finish() override;
 
 private:
     Result<void> begin(const PageFormat &format);
-    tl::unexpected<Error> failure() const;
 
-    QString m_title;
-    WholeFile m_file;
-    std::unique_ptr<QPdfWriter> m_writer; ///< null: no page yet
+    const OutputTarget m_target;
+    const QString m_title;
+    std::unique_ptr<OutputFile> m_output; ///< null: no page yet
+    QFile m_file;                         ///< writes to it
+    std::unique_ptr<QPdfWriter> m_writer;
     std::unique_ptr<QPainter> m_painter;
 };
 

@@ -2,8 +2,9 @@
 #include "ui/views/chart_picture.h"
 
 #include "core/exchange/file_name.h"
-#include "core/exchange/text_file.h"
+#include "core/files/output_file.h"
 #include "ui/models/error_words.h"
+#include "ui/views/output_question.h"
 #include "ui/views/path_field.h"
 #include "ui/views/series_key.h"
 #include "ui/views/theme.h"
@@ -12,7 +13,6 @@
 #include <QBuffer>
 #include <QClipboard>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QMessageBox>
@@ -153,11 +153,11 @@ QImage ChartPicture::image() const
     return image;
 }
 
-Result<void> ChartPicture::save(const std::filesystem::path &file) const
+Result<void> ChartPicture::save(const OutputTarget &target) const
 {
-    const bool isSvg = QFileInfo(textOf(file)).suffix().compare(svgEnding, Qt::CaseInsensitive) == 0;
+    const bool isSvg = QFileInfo(textOf(target.file)).suffix().compare(svgEnding, Qt::CaseInsensitive) == 0;
     const QByteArray bytes = isSvg ? svg() : pngOf(image());
-    return writeTextFile(file, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    return writeOutput(target, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 
 void ChartPicture::copy() const
@@ -172,15 +172,12 @@ void ChartPicture::askSave() const
 {
     const QDir folder(QStandardPaths::writableLocation(QStandardPaths::PicturesLocation));
     const QString name = QString::fromStdString(fileNameOf(m_heading().title().toStdString()));
-    const QString svgFiles = tr("SVG pictures (*.svg)"), pngFiles = tr("PNG pictures (*.png)");
-    QString chosen;
-    QString file = QFileDialog::getSaveFileName(&m_plot, tr("Save as a picture"), folder.filePath(name + u'.' + svgEnding),
-                                                svgFiles + QStringLiteral(";;") + pngFiles, &chosen);
-    if (file.isEmpty())
+    const auto chosen = askOutput(&m_plot, tr("Save as a picture"), folder.filePath(name + u'.' + svgEnding),
+                                  {{tr("SVG pictures (*.svg)"), svgEnding, FileKind::Svg},
+                                   {tr("PNG pictures (*.png)"), QStringLiteral("png"), FileKind::Png}});
+    if (!chosen)
         return;
-    if (QFileInfo(file).suffix().isEmpty())
-        file += chosen == pngFiles ? QStringLiteral(".png") : u'.' + svgEnding;
-    if (const auto saved = save(pathOf(file)); !saved) {
+    if (const auto saved = save(chosen->target); !saved) {
         QMessageBox told(QMessageBox::Warning, tr("Save as a picture"), errorInWords(saved.error()), QMessageBox::Ok, &m_plot);
         told.setTextFormat(Qt::PlainText);
         told.exec();

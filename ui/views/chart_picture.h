@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/error.h"
+#include "core/files/output_guard.h"
 
 #include <QImage>
 #include <QObject>
 #include <QStringList>
-#include <filesystem>
 #include <functional>
 
 class QPainter;
@@ -39,8 +38,8 @@ public:
 
     QByteArray svg() const;
     QImage image() const;
-    /// As SVG where the file's ending says so, else as PNG. Errors: those of writeTextFile: no file is left then, and an older one stays.
-    Result<void> save(const std::filesystem::path &file) const;
+    /// As SVG where the file's ending says so, else as PNG. Errors: those of OutputFile.
+    Result<void> save(const OutputTarget &target) const;
     void copy() const;
 
     /// Whether a painter paints a plot for one of these rather than for the screen.

@@ -2,7 +2,7 @@
 #include "tests/acceptance/scenes/scene_media.h"
 
 #include "core/exchange/layout_csv.h"
-#include "core/exchange/text_file.h"
+#include "core/files/output_file.h"
 #include "core/simulation/board_poses.h"
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
@@ -83,7 +83,7 @@ Result<SceneMedia> provideMedia(const AccuracyScene &scene, const fs::path &fold
             return tl::unexpected(result.error());
     }
     // Written last: without it the folder is not complete.
-    if (auto written = writeTextFile(recipeFile, recipe); !written)
+    if (auto written = writeOutput(recipeFile, recipe); !written)
         return tl::unexpected(written.error());
     return media;
 }

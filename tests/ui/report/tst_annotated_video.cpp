@@ -97,7 +97,7 @@ class TestAnnotatedVideo : public QObject
     AnnotatedVideoSettings settings() const
     {
         AnnotatedVideoSettings settings;
-        settings.file = file();
+        settings.target = file();
         settings.sizePx = smallSize;
         return settings;
     }
@@ -308,14 +308,14 @@ private Q_SLOTS:
                                                        "another, such as 0.25"));
         const std::string said = failure("Trial 3", lost);
         QVERIFY2(said.starts_with("annotated video of 'Trial 3': the recording of camera A is not at '"), said.c_str());
-        again.replaces = false;
-        std::ofstream(again.file) << "an older video";
+        again.target.existing = Existing::Refuse;
+        std::ofstream(again.target.file) << "an older video";
         QCOMPARE(failure("Trial 1", again),
-                 "file '" + file().string() + "': it is there already; choose an empty folder");
+                 "file '" + file().string() + "': it is there already; choose another name or folder");
         AnnotatedVideoSettings nowhere = settings();
-        nowhere.file = file().parent_path() / "no" / "run.mp4";
-        QVERIFY(failure("Trial 1", nowhere).find("No such file or directory") != std::string::npos);
-        nowhere.file = file("run.xyz");
+        nowhere.target = file().parent_path() / "no" / "run.mp4";
+        QVERIFY(failure("Trial 1", nowhere).find("there is no folder") != std::string::npos);
+        nowhere.target = file("run.xyz");
         QVERIFY(failure("Trial 1", nowhere).find("neither .mkv nor .mp4") != std::string::npos);
         QVERIFY(failure("Trial 9", settings()).find("Trial 9") != std::string::npos);
         QCOMPARE(left(), QStringList{QStringLiteral("run.mp4")});

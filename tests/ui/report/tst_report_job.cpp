@@ -94,9 +94,9 @@ private Q_SLOTS:
     void aFolderThatIsNotThereIsSaid()
     {
         const auto written = write(trialReports({"Trial 1"}, {}), path("nowhere/report.pdf"));
-        QCOMPARE(written.error().code, ErrorCode::Io);
+        QCOMPARE(written.error().code, ErrorCode::NotFound);
         const QString words = QString::fromStdString(written.error().message());
-        QVERIFY2(words.contains(QStringLiteral("nowhere/report.pdf")) && words.contains(QStringLiteral("nothing was written")),
+        QVERIFY2(words.contains(QStringLiteral("nowhere/report.pdf")) && words.contains(QStringLiteral("there is no folder")),
                  qPrintable(words));
     }
     void aReportWithoutAPageIsNone()

@@ -99,8 +99,11 @@ void writeVideo(const SceneView &view, const ExampleOptions &options)
             robots.push_back(examplePosition(toSeconds(times[i]), robot));
         const Frame frame =
             toFrame(paintedFrame(*view.floorView, robots, options), std::int64_t(i), times[i]);
-        if (!writer)
-            writer = VideoWriter::create(view.file, frame.format, {}).value();
+        if (!writer) {
+            OutputTarget target = view.file;
+            target.isOwnMedia = true;
+            writer = VideoWriter::create(target, frame.format, {}).value();
+        }
         if (!writer->write(frame))
             qFatal("the example video cannot be written");
     }

@@ -45,7 +45,6 @@ std::span<const CorePattern> errorsVideo()
         {QT_TRANSLATE_NOOP("CoreWords", "unpack into '%1'")},
         {QT_TRANSLATE_NOOP("CoreWords", "it is there already")},
         {QT_TRANSLATE_NOOP("CoreWords", "choose a folder that is not there yet")},
-        {QT_TRANSLATE_NOOP("CoreWords", "choose an empty folder")},
         {QT_TRANSLATE_NOOP("CoreWords", "it has become shorter meanwhile")},
         {QT_TRANSLATE_NOOP("CoreWords", "wait until nobody writes to it, and try again")},
         {QT_TRANSLATE_NOOP("CoreWords", "there is no project in it")},

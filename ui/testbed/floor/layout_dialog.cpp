@@ -8,6 +8,7 @@
 #include "ui/models/error_words.h"
 #include "ui/models/typed_number.h"
 #include "ui/testbed/floor/layout_drawing.h"
+#include "ui/views/output_question.h"
 #include "ui/views/path_field.h"
 #include "ui/views/plain_button.h"
 
@@ -144,10 +145,9 @@ QWidget *LayoutDialog::makeTools()
             tell(importCsv(file));
     });
     csvMenu->addAction(tr("&Export…"), this, [this] {
-        const QString file = QFileDialog::getSaveFileName(this, tr("Places of the markers"),
-                                                          QString::fromStdString(fileNameOf(m_name->text().toStdString())) + QStringLiteral(".csv"), csvFilter());
-        if (!file.isEmpty())
-            tell(exportCsv(file));
+        const QString offered = QString::fromStdString(fileNameOf(m_name->text().toStdString())) + QStringLiteral(".csv");
+        if (const auto chosen = askOutput(this, tr("Places of the markers"), offered, {{csvFilter(), QStringLiteral("csv"), FileKind::Csv}}))
+            tell(exportCsv(chosen->target));
     });
     csv->setMenu(csvMenu);
     auto *tools = new QWidget;
@@ -261,7 +261,7 @@ Result<void> LayoutDialog::importCsv(const QString &file)
     return {};
 }
 
-Result<void> LayoutDialog::exportCsv(const QString &file) const { return writeLayoutCsv(pathOf(file), m_layout); }
+Result<void> LayoutDialog::exportCsv(const OutputTarget &target) const { return writeLayoutCsv(target, m_layout); }
 
 void LayoutDialog::changeAxes(const AxesChange &change)
 {

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/calibration/marker_layout.h"
 #include "core/calibration/world_axes.h"
+#include "core/files/output_guard.h"
 
 #include <QDialog>
 #include <QStringList>
@@ -31,7 +32,7 @@ public:
     /// What is wrong with it as it stands, in a sentence; empty: nothing.
     QString problem() const;
     Result<void> importCsv(const QString &file);
-    Result<void> exportCsv(const QString &file) const;
+    Result<void> exportCsv(const OutputTarget &target) const;
     /// Told in the dialog where it is refused.
     void changeAxes(const AxesChange &change);
 

@@ -6,12 +6,13 @@
 #include "ui/testbed/targets/target_painter.h"
 #include "ui/testbed/targets/target_preview.h"
 #include "ui/views/number_box.h"
+#include "ui/views/output_question.h"
+#include "ui/views/path_field.h"
 #include "ui/views/theme.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -165,15 +166,14 @@ void TargetDialog::refresh()
 
 void TargetDialog::askPdf()
 {
-    const QString file = QFileDialog::getSaveFileName(this, tr("Save targets"), tr("targets.pdf"), tr("PDF (*.pdf)"));
-    if (!file.isEmpty())
-        savePdf(file);
+    if (const auto chosen = askOutput(this, tr("Save targets"), tr("targets.pdf"), {{tr("PDF (*.pdf)"), QStringLiteral("pdf"), FileKind::Pdf}}))
+        savePdf(*chosen);
 }
 
-bool TargetDialog::savePdf(const QString &file)
+bool TargetDialog::savePdf(const ChosenOutput &output)
 {
-    const Result<void> written = writeTargetPdf(spec(), file);
-    tell(written, tr("Saved as %1.").arg(file));
+    const Result<void> written = writeTargetPdf(spec(), output.target);
+    tell(written, tr("Saved as %1.").arg(output.file));
     return written.has_value();
 }
 
@@ -182,7 +182,11 @@ void TargetDialog::print()
     const auto sheets = layOutTarget(spec());
     QPrinter printer(QPrinter::HighResolution);
     QPrintDialog dialog(&printer, this);
-    if (sheets && dialog.exec() == QDialog::Accepted)
+    if (!sheets || dialog.exec() != QDialog::Accepted)
+        return;
+    if (const QString file = printer.outputFileName(); !file.isEmpty()) // not by Qt, which would write over anything; it has asked
+        savePdf({{pathOf(file), Existing::ReplaceAny}, file});
+    else
         tell(printTarget(printer, spec(), *sheets), tr("Sent to the printer."));
 }
 

@@ -16,6 +16,7 @@ class QSpinBox;
 namespace odo {
 
 class TargetPreview;
+struct ChosenOutput;
 
 /// Chooses a board or floor markers, shows the sheets as they will come out, and prints them or writes a PDF.
 class TargetDialog : public QDialog
@@ -27,7 +28,7 @@ public:
 
     TargetSpec spec() const;
     /// As Save as PDF does once the file is chosen; what went wrong is told in the dialog.
-    bool savePdf(const QString &file);
+    bool savePdf(const ChosenOutput &output);
 
 private:
     QWidget *makeForm(const QStringList &labels);

@@ -2,8 +2,9 @@
 #include "ui/testbed/targets/target_painter.h"
 
 #include "core/base/units.h"
-#include "core/exchange/whole_file.h"
+#include "core/files/output_file.h"
 
+#include <QBuffer>
 #include <QCoreApplication>
 #include <QFont>
 #include <QLocale>
@@ -133,27 +134,21 @@ Result<void> printTarget(QPagedPaintDevice &device, const TargetSpec &spec, cons
     return {};
 }
 
-Result<void> writeTargetPdf(const TargetSpec &spec, const QString &file)
+Result<void> writeTargetPdf(const TargetSpec &spec, const OutputTarget &target)
 {
     const auto sheets = layOutTarget(spec);
     if (!sheets)
         return tl::unexpected(sheets.error());
-    WholeFile output(file);
-    const auto failed = [&] {
-        return fail(ErrorCode::Io, file.toStdString(), output.errorString().toStdString(),
-                    "write to another place or make room");
-    };
-    if (!output.open(QIODevice::WriteOnly))
-        return failed();
-    QPdfWriter pdf(&output);
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    QPdfWriter pdf(&buffer);
     pdf.setResolution(printResolution);
     pdf.setCreator(QStringLiteral("Odograph"));
     pdf.setTitle(title(spec, sheets->front()));
     if (auto printed = printTarget(pdf, spec, *sheets); !printed)
         return printed;
-    if (!output.commit())
-        return failed();
-    return {};
+    return writeOutput(target, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 
 } // namespace odo

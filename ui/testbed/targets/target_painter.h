@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/files/output_guard.h"
 #include "ui/testbed/targets/target_sheet.h"
 
 class QPagedPaintDevice;
@@ -15,7 +16,7 @@ void paintTarget(QPainter &painter, const TargetSpec &spec, const TargetSheet &s
 /// Sets the paper and paints the sheets to scale, one a page. Error Io when the device takes no painting.
 Result<void> printTarget(QPagedPaintDevice &device, const TargetSpec &spec, const std::vector<TargetSheet> &sheets);
 
-/// Lays out and writes a PDF; nothing half-written stays. Errors of layOutTarget, and Io.
-Result<void> writeTargetPdf(const TargetSpec &spec, const QString &file);
+/// Lays out and writes a PDF. Errors: those of layOutTarget and OutputFile.
+Result<void> writeTargetPdf(const TargetSpec &spec, const OutputTarget &target);
 
 } // namespace odo

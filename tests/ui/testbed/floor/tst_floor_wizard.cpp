@@ -333,7 +333,7 @@ void TestFloorWizard::layoutGoesOutAndComesBack()
 {
     const QString file = m_folder.filePath(QStringLiteral("layout.csv"));
     LayoutDialog from(m_layout.layout, {}), to({"y", {{"O", {0, 0}}, {"U", {1, 0}}, {"V", {0, 1}}, {"D", {1, 1}}}}, {});
-    QVERIFY(from.exportCsv(file));
+    QVERIFY(from.exportCsv(file.toStdString()));
     QVERIFY(to.importCsv(file));
     for (std::size_t i = 0; i < 4; ++i)
         QVERIFY((from.layout().markers[i].pointInWorld - to.layout().markers[i].pointInWorld).norm() < 1e-12);

@@ -6,6 +6,7 @@
 #include "core/video/frame.h"
 #include "ui/testbed/targets/target_dialog.h"
 #include "ui/testbed/targets/target_painter.h"
+#include "ui/views/output_question.h"
 
 #include <QImage>
 #include <QDir>
@@ -216,7 +217,7 @@ void TestTargets::writesAPageForEachMarker()
     TargetSpec spec;
     spec.kind = TargetKind::Tags;
     const QString file = folder.filePath(QStringLiteral("markers.pdf"));
-    const auto written = writeTargetPdf(spec, file);
+    const auto written = writeTargetPdf(spec, file.toStdString());
     QVERIFY2(written, written ? "" : written.error().message().c_str());
     QFile pdf(file);
     QVERIFY(pdf.open(QIODevice::ReadOnly));
@@ -229,9 +230,9 @@ void TestTargets::writesAPageForEachMarker()
 void TestTargets::leavesNothingHalfWritten()
 {
     QTemporaryDir folder;
-    const auto written = writeTargetPdf({}, folder.filePath(QStringLiteral("not there/board.pdf")));
+    const auto written = writeTargetPdf({}, folder.filePath(QStringLiteral("not there/board.pdf")).toStdString());
     QVERIFY(!written);
-    QCOMPARE(written.error().code, ErrorCode::Io);
+    QCOMPARE(written.error().code, ErrorCode::NotFound);
     QVERIFY(QDir(folder.path()).isEmpty());
 }
 
@@ -246,9 +247,10 @@ void TestTargets::dialogTellsWhatDoesNotFit()
         told = told || label->text().contains(QStringLiteral("do not fit"));
     QVERIFY(told);
     QTemporaryDir folder;
-    QVERIFY(!dialog.savePdf(folder.filePath(QStringLiteral("a.pdf"))));
+    const QString file = folder.filePath(QStringLiteral("a.pdf"));
+    QVERIFY(!dialog.savePdf({file.toStdString(), file}));
     size->setValue(100);
-    QVERIFY(dialog.savePdf(folder.filePath(QStringLiteral("a.pdf"))));
+    QVERIFY(dialog.savePdf({file.toStdString(), file}));
 }
 
 QTEST_MAIN(TestTargets)

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+namespace odo {
+
+/// What a file holds, by its content. Its name doesn't count.
+enum class FileKind {
+    Empty,
+    Pdf,
+    Png,
+    Jpeg,
+    Svg,
+    Mp4,
+    Matroska,
+    Zip,
+    Project,  ///< of Odograph
+    Database, ///< SQLite's, of another program
+    Json,
+    Yaml, ///< intrinsics
+    Csv,
+    Tum,
+    Tracker,
+    Text,  ///< any other
+    Other, ///< any other bytes
+};
+
+/// How many bytes from its beginning tell a file's kind.
+inline constexpr std::size_t kindBytes = 8192;
+
+/// The kind of a file that begins so; `start` may hold more than kindBytes.
+FileKind kindOf(std::string_view start);
+
+} // namespace odo

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/files/output_guard.h"
+
+#include "core/base/file_system.h"
+#include "core/files/protected_files.h"
+#include "core/files/resolved_path.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <string_view>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace odo {
+
+namespace {
+
+constexpr std::string_view projectEnding = ".odo", mediaEnding = ".media";
+constexpr int deepestFolder = 8; // of a media folder
+
+/// As file systems that take no notice of capitals compare it.
+std::string folded(std::string text)
+{
+    std::ranges::transform(text, text.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return text;
+}
+
+/// What follows a project's name in those of its log, lock and backups.
+bool isSideSuffix(std::string_view suffix)
+{
+    return suffix == "-wal" || suffix == "-shm" || suffix == "-journal" || suffix == ".lock" || suffix.starts_with(".bak-") ||
+           suffix.starts_with(".damaged");
+}
+
+/// Whether a file name is that of a project's log, lock or backup; `project`: its name, or how all projects end.
+bool isSideName(const std::filesystem::path &name, const std::string &project)
+{
+    const std::string text = folded(name.string()), before = folded(project);
+    for (std::size_t at = text.find(before); at != std::string::npos; at = text.find(before, at + 1))
+        if (isSideSuffix(std::string_view(text).substr(at + before.size())))
+            return true;
+    return false;
+}
+
+std::filesystem::path mediaFolderOf(const std::filesystem::path &project)
+{
+    return project.parent_path() / (project.stem().string() + std::string(mediaEnding));
+}
+
+bool isRegularFile(const std::filesystem::path &file)
+{
+    struct stat status
+    {
+    };
+    return ::stat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+}
+
+/// The project whose media folder that is by its name; empty where there is none.
+std::filesystem::path projectBeside(const std::filesystem::path &folder)
+{
+    const std::string name = folder.filename().string();
+    if (name.size() <= mediaEnding.size() || !folded(name).ends_with(mediaEnding))
+        return {};
+    const std::filesystem::path project =
+        folder.parent_path() / (name.substr(0, name.size() - mediaEnding.size()) + std::string(projectEnding));
+    return isRegularFile(project) ? project : std::filesystem::path();
+}
+
+/// The folders above a file, the nearest first.
+template <class Look> bool anyFolderAbove(const std::filesystem::path &file, const Look &look)
+{
+    for (std::filesystem::path folder = file.parent_path(); folder.has_relative_path(); folder = folder.parent_path())
+        if (look(folder))
+            return true;
+    return false;
+}
+
+/// Whether a file of a folder, or of one in it, has that identity.
+bool holds(const std::filesystem::path &folder, const FileIdentity &file, int depth = 0)
+{
+    std::error_code ignored;
+    for (const std::string &name : files::namesIn(folder, ignored)) {
+        struct stat status
+        {
+        };
+        const std::filesystem::path each = folder / name;
+        if (::lstat(each.c_str(), &status) != 0)
+            continue;
+        if (FileIdentity{status.st_dev, status.st_ino} == file)
+            return true;
+        if (S_ISDIR(status.st_mode) && depth < deepestFolder && holds(each, file, depth + 1))
+            return true;
+    }
+    return false;
+}
+
+/// Whether a log, lock or backup of the project has that identity.
+bool isSideFile(const std::filesystem::path &project, const FileIdentity &file)
+{
+    std::error_code ignored;
+    const std::filesystem::path folder = project.parent_path();
+    return std::ranges::any_of(files::namesIn(folder, ignored), [&](const std::string &name) {
+        return isSideName(name, project.filename().string()) && identityOf(folder / name) == file;
+    });
+}
+
+std::string nameOf(const OutputTarget &target)
+{
+    return "file '" + target.file.string() + "'";
+}
+
+tl::unexpected<Error> refusedAs(const OutputTarget &target, const std::string &why)
+{
+    return fail(ErrorCode::WrongCall, nameOf(target), why, "choose another name");
+}
+
+/// What a target is instead of a file; null where it is one.
+const char *insteadOfFile(mode_t mode)
+{
+    if (S_ISREG(mode))
+        return nullptr;
+    return S_ISDIR(mode) ? "it is a folder" : S_ISFIFO(mode) ? "it is a named pipe" : S_ISSOCK(mode) ? "it is a socket" : "it is a device";
+}
+
+/// The look at one target.
+class OutputCheck
+{
+public:
+    OutputCheck(const OutputTarget &target, ResolvedPath path) : m_target(target), m_path(std::move(path))
+    {
+        m_exists = ::lstat(m_path.real.c_str(), &m_status) == 0;
+        m_problem = m_exists ? 0 : errno;
+    }
+
+    Result<OutputPlace> run(std::optional<FileKind> kind)
+    {
+        if (!m_exists && m_problem != ENOENT)
+            return m_problem == ENAMETOOLONG ? fail(ErrorCode::InvalidInput, what(), "its name is too long", "choose a shorter name")
+                                             : cannotBeWritten(m_problem);
+        if (const char *reason = reasonOfName())
+            return refused(reason);
+        if (const auto project = projectOfMedia(); !project.empty() && !m_target.isOwnMedia)
+            return refused("it is in the media folder of project '" + project.filename().string() + "'");
+        OutputPlace place{m_path.real, m_exists, FileKind::Empty, m_status.st_mode & 0777U};
+        if (!m_exists)
+            return place;
+        if (m_target.existing == Existing::Refuse || m_target.isOwnMedia)
+            return fail(ErrorCode::AlreadyExists, what(), "it is there already", "choose another name or folder");
+        if (::access(m_path.real.c_str(), W_OK) != 0) // its owner has protected it, or the disk is read-only
+            return cannotBeWritten(errno);
+        const auto found = existingKind();
+        if (!found)
+            return tl::unexpected(found.error());
+        place.kind = *found;
+        if (kind && m_target.existing == Existing::ReplaceSameKind && place.kind != FileKind::Empty && place.kind != *kind)
+            return fail(ErrorCode::WrongCall, what(), "a file of another kind has that name", "choose another name, or replace it with --force");
+        return place;
+    }
+
+private:
+    std::string what() const { return nameOf(m_target); }
+    tl::unexpected<Error> refused(const std::string &why) const { return refusedAs(m_target, why); }
+    tl::unexpected<Error> cannotBeWritten(int reason) const
+    {
+        return fail(ErrorCode::ReadOnly, what(), std::string("it cannot be written (") + std::strerror(reason) + ")", "choose another name");
+    }
+    FileIdentity identity() const { return {m_status.st_dev, m_status.st_ino}; }
+    /// Whether the file may be known by other names too.
+    bool hasMoreNames() const { return m_exists && m_status.st_nlink > 1; }
+
+    /// Why nothing may be written under that name or in place of that file; null: nothing speaks against it so far.
+    const char *reasonOfName() const
+    {
+        if (m_exists && m_protected.isOpenProject(identity()))
+            return "it is the project itself";
+        if (isSideName(m_path.real.filename(), std::string(projectEnding)))
+            return "it is the log, the lock or a backup of a project";
+        for (const ProtectedFile &project : m_protected.projects()) {
+            if (!m_exists && (m_path.real == project.real || m_path.real == project.named))
+                return "it is the project itself";
+            if (isSideName(m_path.real.filename(), project.real.filename().string()) &&
+                identityOf(m_path.real.parent_path()) == identityOf(project.real.parent_path()))
+                return "it is the log, the lock or a backup of a project";
+            if (hasMoreNames() && isSideFile(project.real, identity()))
+                return "it is the log, the lock or a backup of a project";
+        }
+        for (const ProtectedFile &input : m_protected.inputs())
+            if (m_exists && (input.identity == identity() || input.real == m_path.real))
+                return input.reason;
+        return nullptr;
+    }
+
+    /// The project to whose media the file belongs, or would; empty: none.
+    std::filesystem::path projectOfMedia() const
+    {
+        for (const ProtectedFile &project : m_protected.projects())
+            for (const std::filesystem::path &name : {project.real, project.named}) {
+                const std::filesystem::path media = mediaFolderOf(name);
+                const auto folder = identityOf(media);
+                if (folder && anyFolderAbove(m_path.real, [&](const auto &above) { return identityOf(above) == folder; }))
+                    return name;
+                if (folder && hasMoreNames() && holds(media, identity()))
+                    return name;
+            }
+        std::filesystem::path project;
+        const auto look = [&](const std::filesystem::path &folder) {
+            project = projectBeside(folder);
+            return !project.empty();
+        };
+        anyFolderAbove(m_path.real, look) || std::ranges::any_of(m_path.named, [&](const auto &name) { return anyFolderAbove(name, look); });
+        return project;
+    }
+
+    /// It isn't an open project: reasonOfName() has looked.
+    Result<FileKind> existingKind() const
+    {
+        const int descriptor = ::open(m_path.real.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+        if (descriptor < 0)
+            return fail(ErrorCode::Io, what(), std::string("it cannot be read (") + std::strerror(errno) + ")", "choose another name");
+        std::array<char, kindBytes> start{};
+        const ssize_t length = ::pread(descriptor, start.data(), start.size(), 0);
+        const int problem = errno;
+        ::close(descriptor);
+        if (length < 0)
+            return fail(ErrorCode::Io, what(), std::string("it cannot be read (") + std::strerror(problem) + ")", "choose another name");
+        const FileKind kind = kindOf({start.data(), static_cast<std::size_t>(length)});
+        if (kind == FileKind::Project)
+            return refused("it is another project");
+        if (kind == FileKind::Database)
+            return refused("it is a database");
+        return kind;
+    }
+
+    const ProtectedFiles m_protected;
+    const OutputTarget &m_target;
+    const ResolvedPath m_path;
+    struct stat m_status{};
+    bool m_exists = false;
+    int m_problem = 0;
+};
+
+} // namespace
+
+Result<OutputPlace> checkOutput(const OutputTarget &target, std::optional<FileKind> kind)
+{
+    // Before links are followed one by one: those in /proc lead to what has no name.
+    struct stat status
+    {
+    };
+    if (::stat(target.file.c_str(), &status) == 0)
+        if (const char *reason = insteadOfFile(status.st_mode))
+            return refusedAs(target, reason);
+    auto path = resolved(target.file);
+    if (!path)
+        return tl::unexpected(path.error());
+    return OutputCheck(target, std::move(*path)).run(kind);
+}
+
+} // namespace odo

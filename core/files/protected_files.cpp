@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/files/protected_files.h"
+
+#include "core/base/file_system.h"
+
+#include "core/files/resolved_path.h"
+
+#include <algorithm>
+#include <sys/stat.h>
+
+namespace odo {
+
+namespace {
+
+struct ProtectedLists
+{
+    std::mutex mutex;
+    std::list<ProtectedFile> projects, inputs;
+};
+
+ProtectedLists &protectedLists()
+{
+    static ProtectedLists lists;
+    return lists;
+}
+
+ProtectedFile protectedFile(const std::filesystem::path &file, const char *reason)
+{
+    const std::filesystem::path named = files::absolute(file);
+    return {named, realPath(named).value_or(named), identityOf(named), reason};
+}
+
+} // namespace
+
+std::optional<FileIdentity> identityOf(const std::filesystem::path &file)
+{
+    struct stat status
+    {
+    };
+    if (::stat(file.c_str(), &status) != 0)
+        return std::nullopt;
+    return FileIdentity{status.st_dev, status.st_ino};
+}
+
+OpenProjectFile::OpenProjectFile(const std::filesystem::path &file)
+{
+    std::list<ProtectedFile> entry{protectedFile(file, nullptr)};
+    ProtectedLists &lists = protectedLists();
+    const std::lock_guard lock(lists.mutex);
+    m_entry = entry.begin();
+    lists.projects.splice(lists.projects.end(), entry);
+}
+
+OpenProjectFile::~OpenProjectFile()
+{
+    const std::lock_guard lock(protectedLists().mutex);
+    protectedLists().projects.erase(m_entry);
+}
+
+InputFiles::~InputFiles()
+{
+    const std::lock_guard lock(protectedLists().mutex);
+    for (const auto &entry : m_entries)
+        protectedLists().inputs.erase(entry);
+}
+
+void InputFiles::add(const std::filesystem::path &file)
+{
+    std::list<ProtectedFile> entry{protectedFile(file, m_reason)};
+    m_entries.push_back(entry.begin());
+    const std::lock_guard lock(protectedLists().mutex);
+    protectedLists().inputs.splice(protectedLists().inputs.end(), entry);
+}
+
+ProtectedFiles::ProtectedFiles() : m_lock(protectedLists().mutex) {}
+
+const std::list<ProtectedFile> &ProtectedFiles::projects() const { return protectedLists().projects; }
+const std::list<ProtectedFile> &ProtectedFiles::inputs() const { return protectedLists().inputs; }
+
+bool ProtectedFiles::isOpenProject(const FileIdentity &file) const
+{
+    return std::ranges::any_of(projects(), [&](const ProtectedFile &project) {
+        return project.identity == file || identityOf(project.real) == file;
+    });
+}
+
+} // namespace odo

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <list>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace odo {
+
+/// Which file a path leads to: the same for all of its names.
+struct FileIdentity
+{
+    std::uint64_t device = 0, inode = 0;
+    friend bool operator==(const FileIdentity &, const FileIdentity &) = default;
+};
+
+/// Links are followed; nothing where there is no file. Doesn't open it.
+std::optional<FileIdentity> identityOf(const std::filesystem::path &file);
+
+/// What this process has open or reads, and what nothing may be written over therefore.
+struct ProtectedFile
+{
+    std::filesystem::path named, real; ///< as it was called, and without links; absolute
+    std::optional<FileIdentity> identity; ///< when it was opened
+    const char *reason = nullptr;         ///< of an input: why nothing may be written over it
+};
+
+/// As long as it lives, a file counts as a project that this process has open. Made before the file is opened. Any thread.
+class OpenProjectFile
+{
+public:
+    explicit OpenProjectFile(const std::filesystem::path &file);
+    ~OpenProjectFile();
+    OpenProjectFile(const OpenProjectFile &) = delete;
+    OpenProjectFile &operator=(const OpenProjectFile &) = delete;
+
+private:
+    std::list<ProtectedFile>::iterator m_entry;
+};
+
+/// As long as it lives, files count as inputs: what is made of them must not take their place. One thread; the list is shared by all.
+class InputFiles
+{
+public:
+    explicit InputFiles(const char *reason = "it is an input of the same call") : m_reason(reason) {}
+    ~InputFiles();
+    InputFiles(const InputFiles &) = delete;
+    InputFiles &operator=(const InputFiles &) = delete;
+
+    void add(const std::filesystem::path &file);
+
+private:
+    const char *const m_reason;
+    std::vector<std::list<ProtectedFile>::iterator> m_entries;
+};
+
+/// All of them. While it lives no project is opened or closed by this process: only then may a file be opened of which it isn't certain
+/// that it is no open project. (To close a descriptor of a file drops all locks of the process on it, SQLite's too.)
+class ProtectedFiles
+{
+public:
+    ProtectedFiles();
+    const std::list<ProtectedFile> &projects() const;
+    const std::list<ProtectedFile> &inputs() const;
+    bool isOpenProject(const FileIdentity &file) const;
+
+private:
+    std::unique_lock<std::mutex> m_lock;
+};
+
+} // namespace odo

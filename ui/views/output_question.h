@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/files/output_guard.h"
+
+#include <QList>
+#include <QString>
+#include <optional>
+
+class QWidget;
+
+namespace odo {
+
+/// A format that a file can be saved in.
+struct OutputFormat
+{
+    QString filter; ///< of the dialog: "PDF files (*.pdf)"
+    QString ending; ///< without the dot; added to a name without one
+    FileKind kind = FileKind::Text;
+    bool isEndingNeeded = false; ///< added to a name with another one, too
+};
+
+/// Where a person wants a file.
+struct ChosenOutput
+{
+    OutputTarget target; ///< replaces what is there: the person was asked
+    QString file;        ///< as a person reads it
+    int format = 0;      ///< index of the chosen one
+};
+
+/// Asks for a file to write. What must never be overwritten (checkOutput) is refused with its reason and asked again; before an existing
+/// file is replaced that the file dialog has not asked about, or that is of another kind, it asks as well. Nothing: the person
+/// thought better of it. GUI thread.
+std::optional<ChosenOutput> askOutput(QWidget *parent, const QString &title, const QString &offered, const QList<OutputFormat> &formats);
+
+} // namespace odo
