@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/shortage.h"
 
+#include "core/base/cancel_scope.h"
+
 #include <exception>
 #include <mutex>
 #include <new>
@@ -29,6 +31,8 @@ Error shortageNow(std::string what)
 {
     try {
         throw;
+    } catch (const WorkCancelled &) {
+        return cancelled(std::move(what)).value();
     } catch (const std::bad_alloc &) {
         return noMemory(std::move(what));
     } catch (const std::system_error &problem) {
@@ -47,7 +51,9 @@ void sideBySide(std::size_t parts, const std::function<void(std::size_t)> &work)
 {
     std::mutex mutex;
     std::exception_ptr thrown;
+    const CancelToken *const cancel = CancelScope::current();
     const auto doPart = [&](std::size_t part) {
+        const CancelScope scope(cancel);
         try {
             work(part);
         } catch (...) {

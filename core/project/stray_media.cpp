@@ -91,6 +91,13 @@ Result<ReferredFiles> referredFiles(Project &project)
     return files;
 }
 
+/// No link, device or pipe, which may do anything when it is opened.
+bool isOrdinary(const std::filesystem::path &file)
+{
+    std::error_code problem;
+    return std::filesystem::is_regular_file(std::filesystem::symlink_status(file, problem));
+}
+
 /// All that is in the folder and below, links as such.
 void addAllBelow(const std::filesystem::path &folder, std::vector<std::filesystem::path> &files, std::error_code &problem)
 {
@@ -118,7 +125,7 @@ Result<std::vector<std::filesystem::path>> strayMedia(Project &project)
         return fail(ErrorCode::Io, "look in '" + media.string() + "'", problem.message(), "check that the folder is there and may be read");
     // Who adds a trial holds its files until it is in the project: looked at in this order, none of them is taken for a stray one.
     std::erase_if(files, [&](const std::filesystem::path &file) {
-        return file == RecordingLock::fileIn(media) || HeldFile::isHeld(file);
+        return file == RecordingLock::fileIn(media) || (isOrdinary(file) && HeldFile::isHeld(file));
     });
     if (files.empty())
         return files;
@@ -148,9 +155,8 @@ Result<bool> removeStray(Project &project, const std::filesystem::path &file)
     const auto failed = [&](int reason) {
         return fail(ErrorCode::Io, what, std::strerror(reason), "check the rights of the project's folder");
     };
-    std::error_code problem;
     int descriptor = -1;
-    if (!std::filesystem::is_symlink(std::filesystem::symlink_status(file, problem))) {
+    if (isOrdinary(file)) {
         descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
         if (descriptor < 0)
             return errno == ENOENT ? Result<bool>(false) : failed(errno);
