@@ -3932,10 +3932,6 @@
         <translation>wählen Sie einen Ordner, den es noch nicht gibt</translation>
     </message>
     <message>
-        <source>choose an empty folder</source>
-        <translation>wählen Sie einen leeren Ordner</translation>
-    </message>
-    <message>
         <source>it has become shorter meanwhile</source>
         <translation>inzwischen kürzer geworden</translation>
     </message>
@@ -4850,10 +4846,6 @@
     <message>
         <source>its stored series announces %1 rows but holds %2 bytes</source>
         <translation>die gespeicherte Reihe kündigt %1 Zeilen an, hat aber %2 Bytes</translation>
-    </message>
-    <message>
-        <source>a value to be stored is not a finite number</source>
-        <translation>ein Wert, der gespeichert werden soll, ist keine endliche Zahl</translation>
     </message>
     <message>
         <source>check the input that it was computed from</source>
@@ -5864,10 +5856,6 @@
         <translation>prüfen Sie, ob alle Zeilen von einer Fahrt sind</translation>
     </message>
     <message>
-        <source>the file has more than four million places</source>
-        <translation>die Datei hat mehr als vier Millionen Orte</translation>
-    </message>
-    <message>
         <source>it sends no pictures</source>
         <translation>sie sendet keine Bilder</translation>
     </message>
@@ -6314,6 +6302,194 @@
     <message>
         <source>more than 100 megapixels or 32000 pixels a side are not read</source>
         <translation>mehr als 100 Megapixel oder 32000 Pixel je Seite werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>its results are not those that its analysis gave</source>
+        <translation>seine Ergebnisse sind nicht die, die seine Auswertung ergeben hat</translation>
+    </message>
+    <message>
+        <source>they were changed in the file</source>
+        <translation>sie wurden in der Datei geändert</translation>
+    </message>
+    <message>
+        <source>run odograph check, or analyse the trial again</source>
+        <translation>führen Sie odograph check aus, oder werten Sie den Versuch noch einmal aus</translation>
+    </message>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;</source>
+        <translation>die Datei des Projekts wurde inzwischen gelöscht, umbenannt oder ersetzt; was darin war, ist in „%1“ gerettet</translation>
+    </message>
+    <message>
+        <source>it has no name</source>
+        <translation>sie hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>its folder cannot be used (%1)</source>
+        <translation>ihr Ordner ist nicht verwendbar (%1)</translation>
+    </message>
+    <message>
+        <source>choose another folder</source>
+        <translation>wählen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
+        <source>it is a named pipe</source>
+        <translation>es ist eine benannte Pipe</translation>
+    </message>
+    <message>
+        <source>it is a socket</source>
+        <translation>es ist ein Socket</translation>
+    </message>
+    <message>
+        <source>it is a device</source>
+        <translation>es ist ein Gerät</translation>
+    </message>
+    <message>
+        <source>it is the project itself</source>
+        <translation>es ist das Projekt selbst</translation>
+    </message>
+    <message>
+        <source>it is the log, the lock or a backup of a project</source>
+        <translation>es ist das Protokoll, die Sperre oder eine Sicherungskopie eines Projekts</translation>
+    </message>
+    <message>
+        <source>it is in the media folder of project &apos;%1&apos;</source>
+        <translation>sie liegt im Medienordner des Projekts &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it is an input of the same call</source>
+        <translation>sie ist eine Eingabe desselben Aufrufs</translation>
+    </message>
+    <message>
+        <source>it is a recording of the project</source>
+        <translation>es ist eine Aufnahme des Projekts</translation>
+    </message>
+    <message>
+        <source>it is another project</source>
+        <translation>es ist ein anderes Projekt</translation>
+    </message>
+    <message>
+        <source>it is a database</source>
+        <translation>es ist eine Datenbank</translation>
+    </message>
+    <message>
+        <source>a file of another kind has that name</source>
+        <translation>eine Datei anderer Art hat diesen Namen</translation>
+    </message>
+    <message>
+        <source>choose another name, or replace it with --force</source>
+        <translation>wählen Sie einen anderen Namen, oder ersetzen Sie sie mit --force</translation>
+    </message>
+    <message>
+        <source>choose another name or folder</source>
+        <translation>wählen Sie einen anderen Namen oder Ordner</translation>
+    </message>
+    <message>
+        <source>the file has more than 1.5 million places</source>
+        <translation>die Datei hat mehr als 1,5 Millionen Orte</translation>
+    </message>
+    <message>
+        <source>it is longer than 8 MiB</source>
+        <translation>sie ist länger als 8 MiB</translation>
+    </message>
+    <message>
+        <source>folder &apos;%1&apos;</source>
+        <translation>Ordner &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it holds an invisible character, %1</source>
+        <translation>darin ist ein unsichtbares Zeichen, %1</translation>
+    </message>
+    <message>
+        <source>it has more than %1 markers</source>
+        <translation>er hat mehr als %1 Marken</translation>
+    </message>
+    <message>
+        <source>leave out those that no camera sees</source>
+        <translation>lassen Sie die weg, die keine Kamera sieht</translation>
+    </message>
+    <message>
+        <source>marker &apos;%1&apos; is not on a floor of 1 km</source>
+        <translation>Marke &apos;%1&apos; liegt nicht auf einem Boden von 1 km</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 m</source>
+        <translation>er ist größer als %1 m</translation>
+    </message>
+    <message>
+        <source>it has %1 views</source>
+        <translation>er hat %1 Sichten</translation>
+    </message>
+    <message>
+        <source>it has %1 robots</source>
+        <translation>er hat %1 Roboter</translation>
+    </message>
+    <message>
+        <source>%1: texts of more than %2 characters: %3</source>
+        <translation>%1: Texte von mehr als %2 Zeichen: %3</translation>
+    </message>
+    <message>
+        <source>%1: numbers beyond %2: %3</source>
+        <translation>%1: Zahlen jenseits von %2: %3</translation>
+    </message>
+    <message>
+        <source>%1: more than %2 of one %3: %4</source>
+        <translation>%1: mehr als %2 je %3: %4</translation>
+    </message>
+    <message>
+        <source>the rest is not read; change it here, or where the file comes from</source>
+        <translation>der Rest wird nicht gelesen; ändern Sie es hier oder dort, wo die Datei herkommt</translation>
+    </message>
+    <message>
+        <source>trial %1 of the project</source>
+        <translation>Versuch %1 des Projekts</translation>
+    </message>
+    <message>
+        <source>a value to be stored is not a number of ordinary size</source>
+        <translation>ein zu speichernder Wert ist keine Zahl gewöhnlicher Größe</translation>
+    </message>
+    <message>
+        <source>look for stray files</source>
+        <translation>Suche nach herrenlosen Dateien</translation>
+    </message>
+    <message>
+        <source>remove stray files</source>
+        <translation>Entfernen herrenloser Dateien</translation>
+    </message>
+    <message>
+        <source>cannot remove &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; kann nicht entfernt werden</translation>
+    </message>
+    <message>
+        <source>check the rights of the project&apos;s folder</source>
+        <translation>prüfen Sie die Rechte des Projektordners</translation>
+    </message>
+    <message>
+        <source>another program is writing or removing it just now</source>
+        <translation>gerade schreibt oder entfernt es ein anderes Programm</translation>
+    </message>
+    <message>
+        <source>its videos are kept in &apos;%1&apos;; put the project back, and run odograph check P.odo --adopt</source>
+        <translation>seine Videos bleiben in &apos;%1&apos;; legen Sie das Projekt zurück und rufen Sie odograph check P.odo --adopt auf</translation>
+    </message>
+    <message>
+        <source>something unexpected happened (%1)</source>
+        <translation>etwas Unerwartetes ist geschehen (%1)</translation>
+    </message>
+    <message>
+        <source>try again, and report it if it happens again</source>
+        <translation>versuchen Sie es noch einmal, und melden Sie es, wenn es wieder geschieht</translation>
+    </message>
+    <message>
+        <source>its frame rate is not between 0.1 and 100,000 frames a second</source>
+        <translation>die Bildrate liegt nicht zwischen 0,1 und 100.000 Bildern pro Sekunde</translation>
+    </message>
+    <message>
+        <source>give the rate at which the camera took the frames</source>
+        <translation>geben Sie die Rate an, mit der die Kamera aufgenommen hat</translation>
+    </message>
+    <message>
+        <source>looking through the media folder</source>
+        <translation>der Medienordner wird durchsucht</translation>
     </message>
 </context>
 <context>
@@ -6934,6 +7110,17 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
     <message>
         <source>History</source>
         <translation>Verlauf</translation>
+    </message>
+</context>
+<context>
+    <name>OutputQuestion</name>
+    <message>
+        <source>%1 is a file of another kind. Replace it?</source>
+        <translation>%1 ist eine Datei anderer Art. Soll sie ersetzt werden?</translation>
+    </message>
+    <message>
+        <source>%1 exists. Replace it?</source>
+        <translation>%1 ist vorhanden. Soll die Datei ersetzt werden?</translation>
     </message>
 </context>
 <context>
@@ -7923,6 +8110,18 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>rate varies</source>
         <translation>Rate schwankt</translation>
     </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>%1: changed in the file since they were analysed. Analyse the trial again.</source>
+        <translation>%1: seit der Auswertung in der Datei geändert. Werten Sie den Versuch noch einmal aus.</translation>
+    </message>
+    <message>
+        <source>do not rely on them</source>
+        <translation>nicht verlässlich</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>
@@ -8013,6 +8212,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Task</source>
         <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Do not rely on these results: they were changed in the file since they were analysed.</source>
+        <translation>Verlassen Sie sich nicht auf diese Ergebnisse: Sie wurden seit der Auswertung in der Datei geändert.</translation>
     </message>
 </context>
 <context>
@@ -10860,6 +11063,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Restore the backup</source>
         <translation>Sicherungskopie wiederherstellen</translation>
     </message>
+    <message>
+        <source>“%1” was deleted, renamed or replaced by another program. What is in it is rescued as soon as the running work has ended.</source>
+        <translation>„%1“ wurde von einem anderen Programm gelöscht, umbenannt oder ersetzt. Der Inhalt wird gerettet, sobald die laufende Arbeit beendet ist.</translation>
+    </message>
+    <message>
+        <source>“%1” was deleted, renamed or replaced by another program. What was in it is rescued in “%2”, which is open now.</source>
+        <translation>„%1“ wurde von einem anderen Programm gelöscht, umbenannt oder ersetzt. Der Inhalt ist in „%2“ gerettet, das jetzt geöffnet ist.</translation>
+    </message>
 </context>
 <context>
     <name>odo::MapArea</name>
@@ -12779,6 +12990,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>All changes saved</source>
         <translation>Alle Änderungen gespeichert</translation>
     </message>
+    <message>
+        <source>Saving…</source>
+        <translation>Wird gespeichert …</translation>
+    </message>
 </context>
 <context>
     <name>odo::StepDialog</name>
@@ -13874,6 +14089,63 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>%1 of %2 lost videos were found, by their content.</source>
         <translation>%1 von %2 verlorenen Videos wurden anhand ihres Inhalts gefunden.</translation>
+    </message>
+    <message>
+        <source>Find &amp;stray files…</source>
+        <translation>Herren&amp;lose Dateien suchen…</translation>
+    </message>
+    <message>
+        <source>Looking for stray files</source>
+        <translation>Herrenlose Dateien werden gesucht</translation>
+    </message>
+    <message>
+        <source>Every file in the media folder belongs to a trial, a lens calibration or a floor registration.</source>
+        <translation>Jede Datei im Medienordner gehört zu einem Versuch, einer Objektivkalibrierung oder einer Einmessung.</translation>
+    </message>
+    <message>
+        <source>Stray files</source>
+        <translation>Herrenlose Dateien</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) in the media folder belong to no trial, lens calibration or floor registration.</source>
+        <translation>
+            <numerusform>%n Datei im Medienordner gehört zu keinem Versuch, keiner Objektivkalibrierung und keiner Einmessung.</numerusform>
+            <numerusform>%n Dateien im Medienordner gehören zu keinem Versuch, keiner Objektivkalibrierung und keiner Einmessung.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Videos can become trials of their own. Removed files are gone for good.</source>
+        <translation>Videos können eigene Versuche werden. Entfernte Dateien sind endgültig gelöscht.</translation>
+    </message>
+    <message>
+        <source>&amp;Add videos as trials</source>
+        <translation>Videos als Versuche &amp;hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove files</source>
+        <translation>Dateien &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Adding stray videos as trials</source>
+        <translation>Herrenlose Videos werden als Versuche hinzugefügt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) added. Their names begin with &quot;recovered&quot;.</source>
+        <translation>
+            <numerusform>%n Versuch hinzugefügt. Sein Name beginnt mit „recovered“.</numerusform>
+            <numerusform>%n Versuche hinzugefügt. Ihre Namen beginnen mit „recovered“.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Removing stray files</source>
+        <translation>Herrenlose Dateien werden entfernt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stray file(s) removed.</source>
+        <translation>
+            <numerusform>%n herrenlose Datei entfernt.</numerusform>
+            <numerusform>%n herrenlose Dateien entfernt.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -249,4 +249,28 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>odo::TransferActions</name>
+    <message numerus="yes">
+        <source>%n file(s) in the media folder belong to no trial, lens calibration or floor registration.</source>
+        <translation>
+            <numerusform>%n file in the media folder belongs to no trial, lens calibration or floor registration.</numerusform>
+            <numerusform>%n files in the media folder belong to no trial, lens calibration or floor registration.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) added. Their names begin with &quot;recovered&quot;.</source>
+        <translation>
+            <numerusform>%n trial added. Its name begins with &quot;recovered&quot;.</numerusform>
+            <numerusform>%n trials added. Their names begin with &quot;recovered&quot;.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stray file(s) removed.</source>
+        <translation>
+            <numerusform>%n stray file removed.</numerusform>
+            <numerusform>%n stray files removed.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

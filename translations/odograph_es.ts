@@ -3932,10 +3932,6 @@
         <translation>elija una carpeta que aún no exista</translation>
     </message>
     <message>
-        <source>choose an empty folder</source>
-        <translation>elija una carpeta vacía</translation>
-    </message>
-    <message>
         <source>it has become shorter meanwhile</source>
         <translation>entretanto se ha acortado</translation>
     </message>
@@ -4850,10 +4846,6 @@
     <message>
         <source>its stored series announces %1 rows but holds %2 bytes</source>
         <translation>su serie guardada anuncia %1 filas pero contiene %2 bytes</translation>
-    </message>
-    <message>
-        <source>a value to be stored is not a finite number</source>
-        <translation>un valor que se iba a guardar no es un número finito</translation>
     </message>
     <message>
         <source>check the input that it was computed from</source>
@@ -5864,10 +5856,6 @@
         <translation>compruebe que todas las líneas son de un mismo recorrido</translation>
     </message>
     <message>
-        <source>the file has more than four million places</source>
-        <translation>el archivo tiene más de cuatro millones de lugares</translation>
-    </message>
-    <message>
         <source>it sends no pictures</source>
         <translation>no envía imágenes</translation>
     </message>
@@ -6314,6 +6302,194 @@
     <message>
         <source>more than 100 megapixels or 32000 pixels a side are not read</source>
         <translation>no se leen más de 100 megapíxeles o 32000 píxeles por lado</translation>
+    </message>
+    <message>
+        <source>its results are not those that its analysis gave</source>
+        <translation>sus resultados no son los que dio su análisis</translation>
+    </message>
+    <message>
+        <source>they were changed in the file</source>
+        <translation>se modificaron en el archivo</translation>
+    </message>
+    <message>
+        <source>run odograph check, or analyse the trial again</source>
+        <translation>ejecute odograph check o analice de nuevo el ensayo</translation>
+    </message>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;</source>
+        <translation>entretanto, el archivo del proyecto se eliminó, se renombró o se sustituyó; lo que contenía se ha rescatado en «%1»</translation>
+    </message>
+    <message>
+        <source>it has no name</source>
+        <translation>no tiene nombre</translation>
+    </message>
+    <message>
+        <source>its folder cannot be used (%1)</source>
+        <translation>no se puede usar su carpeta (%1)</translation>
+    </message>
+    <message>
+        <source>choose another folder</source>
+        <translation>elija otra carpeta</translation>
+    </message>
+    <message>
+        <source>it is a named pipe</source>
+        <translation>es una tubería con nombre</translation>
+    </message>
+    <message>
+        <source>it is a socket</source>
+        <translation>es un socket</translation>
+    </message>
+    <message>
+        <source>it is a device</source>
+        <translation>es un dispositivo</translation>
+    </message>
+    <message>
+        <source>it is the project itself</source>
+        <translation>es el propio proyecto</translation>
+    </message>
+    <message>
+        <source>it is the log, the lock or a backup of a project</source>
+        <translation>es el registro, el bloqueo o una copia de seguridad de un proyecto</translation>
+    </message>
+    <message>
+        <source>it is in the media folder of project &apos;%1&apos;</source>
+        <translation>está en la carpeta de medios del proyecto &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it is an input of the same call</source>
+        <translation>es una entrada de la misma llamada</translation>
+    </message>
+    <message>
+        <source>it is a recording of the project</source>
+        <translation>es una grabación del proyecto</translation>
+    </message>
+    <message>
+        <source>it is another project</source>
+        <translation>es otro proyecto</translation>
+    </message>
+    <message>
+        <source>it is a database</source>
+        <translation>es una base de datos</translation>
+    </message>
+    <message>
+        <source>a file of another kind has that name</source>
+        <translation>un archivo de otro tipo tiene ese nombre</translation>
+    </message>
+    <message>
+        <source>choose another name, or replace it with --force</source>
+        <translation>elija otro nombre, o sustitúyalo con --force</translation>
+    </message>
+    <message>
+        <source>choose another name or folder</source>
+        <translation>elija otro nombre u otra carpeta</translation>
+    </message>
+    <message>
+        <source>the file has more than 1.5 million places</source>
+        <translation>el archivo tiene más de 1,5 millones de posiciones</translation>
+    </message>
+    <message>
+        <source>it is longer than 8 MiB</source>
+        <translation>tiene más de 8 MiB</translation>
+    </message>
+    <message>
+        <source>folder &apos;%1&apos;</source>
+        <translation>carpeta &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it holds an invisible character, %1</source>
+        <translation>contiene un carácter invisible, %1</translation>
+    </message>
+    <message>
+        <source>it has more than %1 markers</source>
+        <translation>tiene más de %1 marcas</translation>
+    </message>
+    <message>
+        <source>leave out those that no camera sees</source>
+        <translation>omita las que ninguna cámara ve</translation>
+    </message>
+    <message>
+        <source>marker &apos;%1&apos; is not on a floor of 1 km</source>
+        <translation>la marca &apos;%1&apos; no está en un suelo de 1 km</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 m</source>
+        <translation>mide más de %1 m</translation>
+    </message>
+    <message>
+        <source>it has %1 views</source>
+        <translation>tiene %1 vistas</translation>
+    </message>
+    <message>
+        <source>it has %1 robots</source>
+        <translation>tiene %1 robots</translation>
+    </message>
+    <message>
+        <source>%1: texts of more than %2 characters: %3</source>
+        <translation>%1: textos de más de %2 caracteres: %3</translation>
+    </message>
+    <message>
+        <source>%1: numbers beyond %2: %3</source>
+        <translation>%1: números más allá de %2: %3</translation>
+    </message>
+    <message>
+        <source>%1: more than %2 of one %3: %4</source>
+        <translation>%1: más de %2 de un mismo %3: %4</translation>
+    </message>
+    <message>
+        <source>the rest is not read; change it here, or where the file comes from</source>
+        <translation>el resto no se lee; cámbielo aquí o donde se hizo el archivo</translation>
+    </message>
+    <message>
+        <source>trial %1 of the project</source>
+        <translation>ensayo %1 del proyecto</translation>
+    </message>
+    <message>
+        <source>a value to be stored is not a number of ordinary size</source>
+        <translation>un valor que se iba a guardar no es un número de tamaño normal</translation>
+    </message>
+    <message>
+        <source>look for stray files</source>
+        <translation>buscar archivos sueltos</translation>
+    </message>
+    <message>
+        <source>remove stray files</source>
+        <translation>eliminar archivos sueltos</translation>
+    </message>
+    <message>
+        <source>cannot remove &apos;%1&apos;</source>
+        <translation>no se puede eliminar &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>check the rights of the project&apos;s folder</source>
+        <translation>compruebe los permisos de la carpeta del proyecto</translation>
+    </message>
+    <message>
+        <source>another program is writing or removing it just now</source>
+        <translation>otro programa lo está escribiendo o eliminando ahora mismo</translation>
+    </message>
+    <message>
+        <source>its videos are kept in &apos;%1&apos;; put the project back, and run odograph check P.odo --adopt</source>
+        <translation>sus videos se conservan en &apos;%1&apos;; devuelva el proyecto a su sitio y ejecute odograph check P.odo --adopt</translation>
+    </message>
+    <message>
+        <source>something unexpected happened (%1)</source>
+        <translation>ha ocurrido algo inesperado (%1)</translation>
+    </message>
+    <message>
+        <source>try again, and report it if it happens again</source>
+        <translation>inténtelo de nuevo y avise si vuelve a ocurrir</translation>
+    </message>
+    <message>
+        <source>its frame rate is not between 0.1 and 100,000 frames a second</source>
+        <translation>su frecuencia no está entre 0,1 y 100 000 fotogramas por segundo</translation>
+    </message>
+    <message>
+        <source>give the rate at which the camera took the frames</source>
+        <translation>indique la frecuencia con la que la cámara tomó los fotogramas</translation>
+    </message>
+    <message>
+        <source>looking through the media folder</source>
+        <translation>examinando la carpeta de medios</translation>
     </message>
 </context>
 <context>
@@ -6934,6 +7110,17 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
     <message>
         <source>History</source>
         <translation>Historial</translation>
+    </message>
+</context>
+<context>
+    <name>OutputQuestion</name>
+    <message>
+        <source>%1 is a file of another kind. Replace it?</source>
+        <translation>%1 es un archivo de otro tipo. ¿Desea sustituirlo?</translation>
+    </message>
+    <message>
+        <source>%1 exists. Replace it?</source>
+        <translation>%1 ya existe. ¿Desea sustituirlo?</translation>
     </message>
 </context>
 <context>
@@ -7923,6 +8110,18 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>rate varies</source>
         <translation>frecuencia variable</translation>
     </message>
+    <message>
+        <source>Results</source>
+        <translation>Resultados</translation>
+    </message>
+    <message>
+        <source>%1: changed in the file since they were analysed. Analyse the trial again.</source>
+        <translation>%1: modificados en el archivo después del análisis. Analice de nuevo el ensayo.</translation>
+    </message>
+    <message>
+        <source>do not rely on them</source>
+        <translation>no son fiables</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>
@@ -8013,6 +8212,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Task</source>
         <translation>Tarea</translation>
+    </message>
+    <message>
+        <source>Do not rely on these results: they were changed in the file since they were analysed.</source>
+        <translation>No se fíe de estos resultados: se modificaron en el archivo después del análisis.</translation>
     </message>
 </context>
 <context>
@@ -10860,6 +11063,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>Restore the backup</source>
         <translation>Restaurar la copia de seguridad</translation>
     </message>
+    <message>
+        <source>“%1” was deleted, renamed or replaced by another program. What is in it is rescued as soon as the running work has ended.</source>
+        <translation>Otro programa eliminó, renombró o sustituyó «%1». Su contenido se rescatará en cuanto termine el trabajo en curso.</translation>
+    </message>
+    <message>
+        <source>“%1” was deleted, renamed or replaced by another program. What was in it is rescued in “%2”, which is open now.</source>
+        <translation>Otro programa eliminó, renombró o sustituyó «%1». Su contenido se ha rescatado en «%2», que ahora está abierto.</translation>
+    </message>
 </context>
 <context>
     <name>odo::MapArea</name>
@@ -12779,6 +12990,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>All changes saved</source>
         <translation>Todos los cambios guardados</translation>
     </message>
+    <message>
+        <source>Saving…</source>
+        <translation>Guardando…</translation>
+    </message>
 </context>
 <context>
     <name>odo::StepDialog</name>
@@ -13874,6 +14089,63 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>%1 of %2 lost videos were found, by their content.</source>
         <translation>Se encontraron %1 de %2 videos perdidos, por su contenido.</translation>
+    </message>
+    <message>
+        <source>Find &amp;stray files…</source>
+        <translation>Buscar archivos s&amp;ueltos…</translation>
+    </message>
+    <message>
+        <source>Looking for stray files</source>
+        <translation>Buscando archivos sueltos</translation>
+    </message>
+    <message>
+        <source>Every file in the media folder belongs to a trial, a lens calibration or a floor registration.</source>
+        <translation>Cada archivo de la carpeta de medios pertenece a un ensayo, una calibración de la lente o un registro al suelo.</translation>
+    </message>
+    <message>
+        <source>Stray files</source>
+        <translation>Archivos sueltos</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) in the media folder belong to no trial, lens calibration or floor registration.</source>
+        <translation>
+            <numerusform>%n archivo de la carpeta de medios no pertenece a ningún ensayo, calibración de la lente ni registro al suelo.</numerusform>
+            <numerusform>%n archivos de la carpeta de medios no pertenecen a ningún ensayo, calibración de la lente ni registro al suelo.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Videos can become trials of their own. Removed files are gone for good.</source>
+        <translation>Los videos pueden convertirse en ensayos propios. Los archivos eliminados se pierden definitivamente.</translation>
+    </message>
+    <message>
+        <source>&amp;Add videos as trials</source>
+        <translation>&amp;Añadir videos como ensayos</translation>
+    </message>
+    <message>
+        <source>&amp;Remove files</source>
+        <translation>&amp;Eliminar archivos</translation>
+    </message>
+    <message>
+        <source>Adding stray videos as trials</source>
+        <translation>Añadiendo videos sueltos como ensayos</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) added. Their names begin with &quot;recovered&quot;.</source>
+        <translation>
+            <numerusform>%n ensayo añadido. Su nombre empieza por «recovered».</numerusform>
+            <numerusform>%n ensayos añadidos. Sus nombres empiezan por «recovered».</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Removing stray files</source>
+        <translation>Eliminando archivos sueltos</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stray file(s) removed.</source>
+        <translation>
+            <numerusform>%n archivo suelto eliminado.</numerusform>
+            <numerusform>%n archivos sueltos eliminados.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -3932,10 +3932,6 @@
         <translation>choisissez un dossier qui n’existe pas encore</translation>
     </message>
     <message>
-        <source>choose an empty folder</source>
-        <translation>choisissez un dossier vide</translation>
-    </message>
-    <message>
         <source>it has become shorter meanwhile</source>
         <translation>la taille a diminué entre-temps</translation>
     </message>
@@ -4850,10 +4846,6 @@
     <message>
         <source>its stored series announces %1 rows but holds %2 bytes</source>
         <translation>sa série enregistrée annonce %1 lignes mais contient %2 octets</translation>
-    </message>
-    <message>
-        <source>a value to be stored is not a finite number</source>
-        <translation>une valeur à enregistrer n’est pas un nombre fini</translation>
     </message>
     <message>
         <source>check the input that it was computed from</source>
@@ -5864,10 +5856,6 @@
         <translation>vérifiez que toutes les lignes sont d’un même passage</translation>
     </message>
     <message>
-        <source>the file has more than four million places</source>
-        <translation>le fichier a plus de quatre millions de places</translation>
-    </message>
-    <message>
         <source>it sends no pictures</source>
         <translation>elle n’envoie pas d’images</translation>
     </message>
@@ -6314,6 +6302,194 @@
     <message>
         <source>more than 100 megapixels or 32000 pixels a side are not read</source>
         <translation>plus de 100 mégapixels ou 32000 pixels de côté ne sont pas lus</translation>
+    </message>
+    <message>
+        <source>its results are not those that its analysis gave</source>
+        <translation>ses résultats ne sont pas ceux que son analyse a donnés</translation>
+    </message>
+    <message>
+        <source>they were changed in the file</source>
+        <translation>ils ont été modifiés dans le fichier</translation>
+    </message>
+    <message>
+        <source>run odograph check, or analyse the trial again</source>
+        <translation>lancez odograph check, ou analysez de nouveau l’essai</translation>
+    </message>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;</source>
+        <translation>le fichier du projet a été supprimé, renommé ou remplacé entre-temps ; son contenu a été récupéré dans « %1 »</translation>
+    </message>
+    <message>
+        <source>it has no name</source>
+        <translation>il n’a pas de nom</translation>
+    </message>
+    <message>
+        <source>its folder cannot be used (%1)</source>
+        <translation>son dossier est inutilisable (%1)</translation>
+    </message>
+    <message>
+        <source>choose another folder</source>
+        <translation>choisissez un autre dossier</translation>
+    </message>
+    <message>
+        <source>it is a named pipe</source>
+        <translation>c’est un tube nommé</translation>
+    </message>
+    <message>
+        <source>it is a socket</source>
+        <translation>c’est un socket</translation>
+    </message>
+    <message>
+        <source>it is a device</source>
+        <translation>c’est un périphérique</translation>
+    </message>
+    <message>
+        <source>it is the project itself</source>
+        <translation>c’est le projet lui-même</translation>
+    </message>
+    <message>
+        <source>it is the log, the lock or a backup of a project</source>
+        <translation>c’est le journal, le verrou ou une copie de sauvegarde d’un projet</translation>
+    </message>
+    <message>
+        <source>it is in the media folder of project &apos;%1&apos;</source>
+        <translation>il est dans le dossier des médias du projet &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it is an input of the same call</source>
+        <translation>c’est une entrée du même appel</translation>
+    </message>
+    <message>
+        <source>it is a recording of the project</source>
+        <translation>c’est un enregistrement du projet</translation>
+    </message>
+    <message>
+        <source>it is another project</source>
+        <translation>c’est un autre projet</translation>
+    </message>
+    <message>
+        <source>it is a database</source>
+        <translation>c’est une base de données</translation>
+    </message>
+    <message>
+        <source>a file of another kind has that name</source>
+        <translation>un fichier d’un autre type porte ce nom</translation>
+    </message>
+    <message>
+        <source>choose another name, or replace it with --force</source>
+        <translation>choisissez un autre nom, ou remplacez-le avec --force</translation>
+    </message>
+    <message>
+        <source>choose another name or folder</source>
+        <translation>choisissez un autre nom ou un autre dossier</translation>
+    </message>
+    <message>
+        <source>the file has more than 1.5 million places</source>
+        <translation>le fichier a plus de 1,5 million de positions</translation>
+    </message>
+    <message>
+        <source>it is longer than 8 MiB</source>
+        <translation>elle dépasse 8 Mio</translation>
+    </message>
+    <message>
+        <source>folder &apos;%1&apos;</source>
+        <translation>dossier &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it holds an invisible character, %1</source>
+        <translation>il contient un caractère invisible, %1</translation>
+    </message>
+    <message>
+        <source>it has more than %1 markers</source>
+        <translation>il a plus de %1 repères</translation>
+    </message>
+    <message>
+        <source>leave out those that no camera sees</source>
+        <translation>omettez ceux qu’aucune caméra ne voit</translation>
+    </message>
+    <message>
+        <source>marker &apos;%1&apos; is not on a floor of 1 km</source>
+        <translation>le repère &apos;%1&apos; n’est pas sur un sol de 1 km</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 m</source>
+        <translation>il mesure plus de %1 m</translation>
+    </message>
+    <message>
+        <source>it has %1 views</source>
+        <translation>il a %1 vues</translation>
+    </message>
+    <message>
+        <source>it has %1 robots</source>
+        <translation>il a %1 robots</translation>
+    </message>
+    <message>
+        <source>%1: texts of more than %2 characters: %3</source>
+        <translation>%1 : textes de plus de %2 caractères : %3</translation>
+    </message>
+    <message>
+        <source>%1: numbers beyond %2: %3</source>
+        <translation>%1 : nombres au-delà de %2 : %3</translation>
+    </message>
+    <message>
+        <source>%1: more than %2 of one %3: %4</source>
+        <translation>%1 : plus de %2 pour un même %3 : %4</translation>
+    </message>
+    <message>
+        <source>the rest is not read; change it here, or where the file comes from</source>
+        <translation>le reste n’est pas lu ; changez-le ici ou là d’où vient le fichier</translation>
+    </message>
+    <message>
+        <source>trial %1 of the project</source>
+        <translation>essai %1 du projet</translation>
+    </message>
+    <message>
+        <source>a value to be stored is not a number of ordinary size</source>
+        <translation>une valeur à enregistrer n’est pas un nombre de taille ordinaire</translation>
+    </message>
+    <message>
+        <source>look for stray files</source>
+        <translation>chercher les fichiers orphelins</translation>
+    </message>
+    <message>
+        <source>remove stray files</source>
+        <translation>supprimer les fichiers orphelins</translation>
+    </message>
+    <message>
+        <source>cannot remove &apos;%1&apos;</source>
+        <translation>impossible de supprimer &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>check the rights of the project&apos;s folder</source>
+        <translation>vérifiez les droits du dossier du projet</translation>
+    </message>
+    <message>
+        <source>another program is writing or removing it just now</source>
+        <translation>un autre programme est en train de l’écrire ou de le supprimer</translation>
+    </message>
+    <message>
+        <source>its videos are kept in &apos;%1&apos;; put the project back, and run odograph check P.odo --adopt</source>
+        <translation>ses vidéos sont conservées dans &apos;%1&apos; ; remettez le projet à sa place et lancez odograph check P.odo --adopt</translation>
+    </message>
+    <message>
+        <source>something unexpected happened (%1)</source>
+        <translation>un événement inattendu s’est produit (%1)</translation>
+    </message>
+    <message>
+        <source>try again, and report it if it happens again</source>
+        <translation>réessayez et signalez-le si cela se reproduit</translation>
+    </message>
+    <message>
+        <source>its frame rate is not between 0.1 and 100,000 frames a second</source>
+        <translation>sa fréquence n’est pas comprise entre 0,1 et 100 000 images par seconde</translation>
+    </message>
+    <message>
+        <source>give the rate at which the camera took the frames</source>
+        <translation>indiquez la fréquence à laquelle la caméra a pris les images</translation>
+    </message>
+    <message>
+        <source>looking through the media folder</source>
+        <translation>examen du dossier des médias</translation>
     </message>
 </context>
 <context>
@@ -6934,6 +7110,17 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
     <message>
         <source>History</source>
         <translation>Historique</translation>
+    </message>
+</context>
+<context>
+    <name>OutputQuestion</name>
+    <message>
+        <source>%1 is a file of another kind. Replace it?</source>
+        <translation>%1 est un fichier d’un autre type. Le remplacer ?</translation>
+    </message>
+    <message>
+        <source>%1 exists. Replace it?</source>
+        <translation>%1 existe déjà. Le remplacer ?</translation>
     </message>
 </context>
 <context>
@@ -7923,6 +8110,18 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>rate varies</source>
         <translation>cadence variable</translation>
     </message>
+    <message>
+        <source>Results</source>
+        <translation>Résultats</translation>
+    </message>
+    <message>
+        <source>%1: changed in the file since they were analysed. Analyse the trial again.</source>
+        <translation>%1 : modifiés dans le fichier depuis l’analyse. Analysez de nouveau l’essai.</translation>
+    </message>
+    <message>
+        <source>do not rely on them</source>
+        <translation>ne pas s’y fier</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>
@@ -8013,6 +8212,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Task</source>
         <translation>Épreuve</translation>
+    </message>
+    <message>
+        <source>Do not rely on these results: they were changed in the file since they were analysed.</source>
+        <translation>Ne vous fiez pas à ces résultats : ils ont été modifiés dans le fichier depuis l’analyse.</translation>
     </message>
 </context>
 <context>
@@ -10860,6 +11063,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Restore the backup</source>
         <translation>Restaurer la copie de sauvegarde</translation>
     </message>
+    <message>
+        <source>“%1” was deleted, renamed or replaced by another program. What is in it is rescued as soon as the running work has ended.</source>
+        <translation>« %1 » a été supprimé, renommé ou remplacé par un autre programme. Son contenu sera récupéré dès que le travail en cours sera terminé.</translation>
+    </message>
+    <message>
+        <source>“%1” was deleted, renamed or replaced by another program. What was in it is rescued in “%2”, which is open now.</source>
+        <translation>« %1 » a été supprimé, renommé ou remplacé par un autre programme. Son contenu a été récupéré dans « %2 », qui est maintenant ouvert.</translation>
+    </message>
 </context>
 <context>
     <name>odo::MapArea</name>
@@ -12779,6 +12990,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>All changes saved</source>
         <translation>Toutes les modifications sont enregistrées</translation>
     </message>
+    <message>
+        <source>Saving…</source>
+        <translation>Enregistrement…</translation>
+    </message>
 </context>
 <context>
     <name>odo::StepDialog</name>
@@ -13874,6 +14089,63 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>%1 of %2 lost videos were found, by their content.</source>
         <translation>Vidéos perdues retrouvées, d’après leur contenu&#xa0;: %1 sur %2.</translation>
+    </message>
+    <message>
+        <source>Find &amp;stray files…</source>
+        <translation>Retrouver les &amp;fichiers orphelins…</translation>
+    </message>
+    <message>
+        <source>Looking for stray files</source>
+        <translation>Recherche des fichiers orphelins</translation>
+    </message>
+    <message>
+        <source>Every file in the media folder belongs to a trial, a lens calibration or a floor registration.</source>
+        <translation>Chaque fichier du dossier des médias appartient à un essai, à un étalonnage d’objectif ou à une localisation de caméra.</translation>
+    </message>
+    <message>
+        <source>Stray files</source>
+        <translation>Fichiers orphelins</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) in the media folder belong to no trial, lens calibration or floor registration.</source>
+        <translation>
+            <numerusform>%n fichier du dossier des médias n’appartient à aucun essai, étalonnage d’objectif ni localisation de caméra.</numerusform>
+            <numerusform>%n fichiers du dossier des médias n’appartiennent à aucun essai, étalonnage d’objectif ni localisation de caméra.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Videos can become trials of their own. Removed files are gone for good.</source>
+        <translation>Les vidéos peuvent devenir des essais à part entière. Les fichiers supprimés le sont définitivement.</translation>
+    </message>
+    <message>
+        <source>&amp;Add videos as trials</source>
+        <translation>&amp;Ajouter les vidéos comme essais</translation>
+    </message>
+    <message>
+        <source>&amp;Remove files</source>
+        <translation>&amp;Supprimer les fichiers</translation>
+    </message>
+    <message>
+        <source>Adding stray videos as trials</source>
+        <translation>Ajout des vidéos orphelines comme essais</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) added. Their names begin with &quot;recovered&quot;.</source>
+        <translation>
+            <numerusform>%n essai ajouté. Son nom commence par « recovered ».</numerusform>
+            <numerusform>%n essais ajoutés. Leurs noms commencent par « recovered ».</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Removing stray files</source>
+        <translation>Suppression des fichiers orphelins</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stray file(s) removed.</source>
+        <translation>
+            <numerusform>%n fichier orphelin supprimé.</numerusform>
+            <numerusform>%n fichiers orphelins supprimés.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -3930,10 +3930,6 @@
         <translation>아직 없는 폴더를 고르십시오</translation>
     </message>
     <message>
-        <source>choose an empty folder</source>
-        <translation>빈 폴더를 고르십시오</translation>
-    </message>
-    <message>
         <source>it has become shorter meanwhile</source>
         <translation>그사이 짧아졌습니다</translation>
     </message>
@@ -4848,10 +4844,6 @@
     <message>
         <source>its stored series announces %1 rows but holds %2 bytes</source>
         <translation>저장된 데이터 열이 %1행이라고 하지만 %2바이트입니다</translation>
-    </message>
-    <message>
-        <source>a value to be stored is not a finite number</source>
-        <translation>저장할 값이 유한한 수가 아닙니다</translation>
     </message>
     <message>
         <source>check the input that it was computed from</source>
@@ -5862,10 +5854,6 @@
         <translation>모든 행이 한 주행의 것인지 확인하십시오</translation>
     </message>
     <message>
-        <source>the file has more than four million places</source>
-        <translation>파일에 위치가 400만 개를 넘습니다</translation>
-    </message>
-    <message>
         <source>it sends no pictures</source>
         <translation>영상을 보내지 않습니다</translation>
     </message>
@@ -6312,6 +6300,194 @@
     <message>
         <source>more than 100 megapixels or 32000 pixels a side are not read</source>
         <translation>1억 화소 또는 한 변 32000픽셀을 넘으면 읽지 않습니다</translation>
+    </message>
+    <message>
+        <source>its results are not those that its analysis gave</source>
+        <translation>결과가 분석에서 나온 값과 다릅니다</translation>
+    </message>
+    <message>
+        <source>they were changed in the file</source>
+        <translation>파일에서 변경되었습니다</translation>
+    </message>
+    <message>
+        <source>run odograph check, or analyse the trial again</source>
+        <translation>odograph check를 실행하거나 시행을 다시 분석하십시오</translation>
+    </message>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;</source>
+        <translation>그동안 프로젝트 파일이 삭제되거나 이름이 바뀌거나 교체되었습니다. 그 내용은 &apos;%1&apos;에 구조되었습니다</translation>
+    </message>
+    <message>
+        <source>it has no name</source>
+        <translation>이름이 없습니다</translation>
+    </message>
+    <message>
+        <source>its folder cannot be used (%1)</source>
+        <translation>그 폴더를 쓸 수 없습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>choose another folder</source>
+        <translation>다른 폴더를 고르십시오</translation>
+    </message>
+    <message>
+        <source>it is a named pipe</source>
+        <translation>이름 있는 파이프입니다</translation>
+    </message>
+    <message>
+        <source>it is a socket</source>
+        <translation>소켓입니다</translation>
+    </message>
+    <message>
+        <source>it is a device</source>
+        <translation>장치입니다</translation>
+    </message>
+    <message>
+        <source>it is the project itself</source>
+        <translation>프로젝트 파일 자체입니다</translation>
+    </message>
+    <message>
+        <source>it is the log, the lock or a backup of a project</source>
+        <translation>프로젝트의 로그, 잠금 또는 백업 파일입니다</translation>
+    </message>
+    <message>
+        <source>it is in the media folder of project &apos;%1&apos;</source>
+        <translation>프로젝트 &apos;%1&apos;의 미디어 폴더에 있습니다</translation>
+    </message>
+    <message>
+        <source>it is an input of the same call</source>
+        <translation>같은 호출의 입력 파일입니다</translation>
+    </message>
+    <message>
+        <source>it is a recording of the project</source>
+        <translation>프로젝트의 녹화입니다</translation>
+    </message>
+    <message>
+        <source>it is another project</source>
+        <translation>다른 프로젝트입니다</translation>
+    </message>
+    <message>
+        <source>it is a database</source>
+        <translation>데이터베이스입니다</translation>
+    </message>
+    <message>
+        <source>a file of another kind has that name</source>
+        <translation>다른 종류의 파일이 그 이름을 쓰고 있습니다</translation>
+    </message>
+    <message>
+        <source>choose another name, or replace it with --force</source>
+        <translation>다른 이름을 고르거나 --force로 바꾸십시오</translation>
+    </message>
+    <message>
+        <source>choose another name or folder</source>
+        <translation>다른 이름이나 폴더를 고르십시오</translation>
+    </message>
+    <message>
+        <source>the file has more than 1.5 million places</source>
+        <translation>파일에 위치가 150만 개보다 많습니다</translation>
+    </message>
+    <message>
+        <source>it is longer than 8 MiB</source>
+        <translation>8 MiB보다 깁니다</translation>
+    </message>
+    <message>
+        <source>folder &apos;%1&apos;</source>
+        <translation>폴더 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>it holds an invisible character, %1</source>
+        <translation>보이지 않는 문자 %1이(가) 들어 있습니다</translation>
+    </message>
+    <message>
+        <source>it has more than %1 markers</source>
+        <translation>마커가 %1개를 넘습니다</translation>
+    </message>
+    <message>
+        <source>leave out those that no camera sees</source>
+        <translation>어떤 카메라에도 보이지 않는 것은 빼십시오</translation>
+    </message>
+    <message>
+        <source>marker &apos;%1&apos; is not on a floor of 1 km</source>
+        <translation>마커 &apos;%1&apos;이(가) 1 km 바닥 안에 있지 않습니다</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 m</source>
+        <translation>%1 m보다 큽니다</translation>
+    </message>
+    <message>
+        <source>it has %1 views</source>
+        <translation>뷰가 %1개입니다</translation>
+    </message>
+    <message>
+        <source>it has %1 robots</source>
+        <translation>로봇이 %1대입니다</translation>
+    </message>
+    <message>
+        <source>%1: texts of more than %2 characters: %3</source>
+        <translation>%1: %2자를 넘는 글: %3</translation>
+    </message>
+    <message>
+        <source>%1: numbers beyond %2: %3</source>
+        <translation>%1: %2을(를) 넘는 수: %3</translation>
+    </message>
+    <message>
+        <source>%1: more than %2 of one %3: %4</source>
+        <translation>%1: 한 %3에 %2개를 넘음: %4</translation>
+    </message>
+    <message>
+        <source>the rest is not read; change it here, or where the file comes from</source>
+        <translation>나머지는 읽지 않습니다. 여기서 바꾸거나 파일을 만든 곳에서 바꾸십시오</translation>
+    </message>
+    <message>
+        <source>trial %1 of the project</source>
+        <translation>프로젝트의 시행 %1</translation>
+    </message>
+    <message>
+        <source>a value to be stored is not a number of ordinary size</source>
+        <translation>저장할 값이 보통 크기의 수가 아닙니다</translation>
+    </message>
+    <message>
+        <source>look for stray files</source>
+        <translation>소속 없는 파일 찾기</translation>
+    </message>
+    <message>
+        <source>remove stray files</source>
+        <translation>소속 없는 파일 제거</translation>
+    </message>
+    <message>
+        <source>cannot remove &apos;%1&apos;</source>
+        <translation>&apos;%1&apos;을(를) 제거할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>check the rights of the project&apos;s folder</source>
+        <translation>프로젝트 폴더의 권한을 확인하십시오</translation>
+    </message>
+    <message>
+        <source>another program is writing or removing it just now</source>
+        <translation>지금 다른 프로그램이 쓰거나 제거하는 중입니다</translation>
+    </message>
+    <message>
+        <source>its videos are kept in &apos;%1&apos;; put the project back, and run odograph check P.odo --adopt</source>
+        <translation>동영상은 &apos;%1&apos;에 남아 있습니다. 프로젝트를 제자리에 돌려놓고 odograph check P.odo --adopt를 실행하십시오</translation>
+    </message>
+    <message>
+        <source>something unexpected happened (%1)</source>
+        <translation>예기치 않은 일이 일어났습니다(%1)</translation>
+    </message>
+    <message>
+        <source>try again, and report it if it happens again</source>
+        <translation>다시 시도하고, 또 일어나면 알려 주십시오</translation>
+    </message>
+    <message>
+        <source>its frame rate is not between 0.1 and 100,000 frames a second</source>
+        <translation>프레임 속도가 초당 0.1~100,000 프레임이 아닙니다</translation>
+    </message>
+    <message>
+        <source>give the rate at which the camera took the frames</source>
+        <translation>카메라가 프레임을 찍은 속도를 입력하십시오</translation>
+    </message>
+    <message>
+        <source>looking through the media folder</source>
+        <translation>미디어 폴더를 살펴보는 중</translation>
     </message>
 </context>
 <context>
@@ -6932,6 +7108,17 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
     <message>
         <source>History</source>
         <translation>이력</translation>
+    </message>
+</context>
+<context>
+    <name>OutputQuestion</name>
+    <message>
+        <source>%1 is a file of another kind. Replace it?</source>
+        <translation>%1은(는) 다른 종류의 파일입니다. 바꾸시겠습니까?</translation>
+    </message>
+    <message>
+        <source>%1 exists. Replace it?</source>
+        <translation>%1이(가) 이미 있습니다. 바꾸시겠습니까?</translation>
     </message>
 </context>
 <context>
@@ -7917,6 +8104,18 @@ Much more than expected means that something is not as it was told: the views ar
         <source>rate varies</source>
         <translation>속도 불규칙</translation>
     </message>
+    <message>
+        <source>Results</source>
+        <translation>결과</translation>
+    </message>
+    <message>
+        <source>%1: changed in the file since they were analysed. Analyse the trial again.</source>
+        <translation>%1: 분석 후 파일에서 변경되었습니다. 시행을 다시 분석하십시오.</translation>
+    </message>
+    <message>
+        <source>do not rely on them</source>
+        <translation>신뢰할 수 없음</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>
@@ -8007,6 +8206,10 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Task</source>
         <translation>과제</translation>
+    </message>
+    <message>
+        <source>Do not rely on these results: they were changed in the file since they were analysed.</source>
+        <translation>이 결과를 신뢰하지 마십시오: 분석 후 파일에서 변경되었습니다.</translation>
     </message>
 </context>
 <context>
@@ -10846,6 +11049,14 @@ Much more than expected means that something is not as it was told: the views ar
         <source>Restore the backup</source>
         <translation>백업 복원</translation>
     </message>
+    <message>
+        <source>“%1” was deleted, renamed or replaced by another program. What is in it is rescued as soon as the running work has ended.</source>
+        <translation>다른 프로그램이 “%1”을(를) 삭제하거나 이름을 바꾸거나 교체했습니다. 진행 중인 작업이 끝나는 대로 내용을 구조합니다.</translation>
+    </message>
+    <message>
+        <source>“%1” was deleted, renamed or replaced by another program. What was in it is rescued in “%2”, which is open now.</source>
+        <translation>다른 프로그램이 “%1”을(를) 삭제하거나 이름을 바꾸거나 교체했습니다. 내용은 “%2”에 구조되었고 지금 열려 있습니다.</translation>
+    </message>
 </context>
 <context>
     <name>odo::MapArea</name>
@@ -12760,6 +12971,10 @@ Much more than expected means that something is not as it was told: the views ar
         <source>All changes saved</source>
         <translation>모든 변경이 저장됨</translation>
     </message>
+    <message>
+        <source>Saving…</source>
+        <translation>저장 중…</translation>
+    </message>
 </context>
 <context>
     <name>odo::StepDialog</name>
@@ -13845,6 +14060,60 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>%1 of %2 lost videos were found, by their content.</source>
         <translation>잃은 동영상 %2개 중 %1개를 내용으로 찾았습니다.</translation>
+    </message>
+    <message>
+        <source>Find &amp;stray files…</source>
+        <translation>소속 없는 파일 찾기(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Looking for stray files</source>
+        <translation>소속 없는 파일 찾는 중</translation>
+    </message>
+    <message>
+        <source>Every file in the media folder belongs to a trial, a lens calibration or a floor registration.</source>
+        <translation>미디어 폴더의 모든 파일은 시행, 렌즈 보정 또는 바닥 정합에 속합니다.</translation>
+    </message>
+    <message>
+        <source>Stray files</source>
+        <translation>소속 없는 파일</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) in the media folder belong to no trial, lens calibration or floor registration.</source>
+        <translation>
+            <numerusform>미디어 폴더의 파일 %n개가 어떤 시행, 렌즈 보정, 바닥 정합에도 속하지 않습니다.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Videos can become trials of their own. Removed files are gone for good.</source>
+        <translation>동영상은 별도의 시행이 될 수 있습니다. 제거한 파일은 되돌릴 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Add videos as trials</source>
+        <translation>동영상을 시행으로 추가(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove files</source>
+        <translation>파일 제거(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Adding stray videos as trials</source>
+        <translation>소속 없는 동영상을 시행으로 추가하는 중</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) added. Their names begin with &quot;recovered&quot;.</source>
+        <translation>
+            <numerusform>시행 %n개를 추가했습니다. 이름은 &quot;recovered&quot;로 시작합니다.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Removing stray files</source>
+        <translation>소속 없는 파일 제거 중</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stray file(s) removed.</source>
+        <translation>
+            <numerusform>소속 없는 파일 %n개를 제거했습니다.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

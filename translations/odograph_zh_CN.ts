@@ -3930,10 +3930,6 @@
         <translation>请选择尚不存在的文件夹</translation>
     </message>
     <message>
-        <source>choose an empty folder</source>
-        <translation>请选择空文件夹</translation>
-    </message>
-    <message>
         <source>it has become shorter meanwhile</source>
         <translation>其间变短了</translation>
     </message>
@@ -4848,10 +4844,6 @@
     <message>
         <source>its stored series announces %1 rows but holds %2 bytes</source>
         <translation>存储的序列声明有 %1 行，却只有 %2 字节</translation>
-    </message>
-    <message>
-        <source>a value to be stored is not a finite number</source>
-        <translation>要保存的某个值不是有限数</translation>
     </message>
     <message>
         <source>check the input that it was computed from</source>
@@ -5862,10 +5854,6 @@
         <translation>请检查所有行都属于同一次运行</translation>
     </message>
     <message>
-        <source>the file has more than four million places</source>
-        <translation>文件中的位置超过四百万个</translation>
-    </message>
-    <message>
         <source>it sends no pictures</source>
         <translation>它没有发送画面</translation>
     </message>
@@ -6312,6 +6300,194 @@
     <message>
         <source>more than 100 megapixels or 32000 pixels a side are not read</source>
         <translation>超过 1 亿像素或单边 32000 像素则不读取</translation>
+    </message>
+    <message>
+        <source>its results are not those that its analysis gave</source>
+        <translation>其结果与分析得出的结果不一致</translation>
+    </message>
+    <message>
+        <source>they were changed in the file</source>
+        <translation>它们在文件中被更改过</translation>
+    </message>
+    <message>
+        <source>run odograph check, or analyse the trial again</source>
+        <translation>请运行 odograph check，或重新分析该试验</translation>
+    </message>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;</source>
+        <translation>项目文件在此期间被删除、重命名或替换；其中的内容已抢救到“%1”</translation>
+    </message>
+    <message>
+        <source>it has no name</source>
+        <translation>没有名称</translation>
+    </message>
+    <message>
+        <source>its folder cannot be used (%1)</source>
+        <translation>无法使用其文件夹（%1）</translation>
+    </message>
+    <message>
+        <source>choose another folder</source>
+        <translation>请换个文件夹</translation>
+    </message>
+    <message>
+        <source>it is a named pipe</source>
+        <translation>是命名管道</translation>
+    </message>
+    <message>
+        <source>it is a socket</source>
+        <translation>是套接字</translation>
+    </message>
+    <message>
+        <source>it is a device</source>
+        <translation>是设备</translation>
+    </message>
+    <message>
+        <source>it is the project itself</source>
+        <translation>是项目文件本身</translation>
+    </message>
+    <message>
+        <source>it is the log, the lock or a backup of a project</source>
+        <translation>是项目的日志、锁或备份文件</translation>
+    </message>
+    <message>
+        <source>it is in the media folder of project &apos;%1&apos;</source>
+        <translation>位于项目“%1”的媒体文件夹中</translation>
+    </message>
+    <message>
+        <source>it is an input of the same call</source>
+        <translation>是同一次调用的输入文件</translation>
+    </message>
+    <message>
+        <source>it is a recording of the project</source>
+        <translation>是项目的录像</translation>
+    </message>
+    <message>
+        <source>it is another project</source>
+        <translation>是另一个项目</translation>
+    </message>
+    <message>
+        <source>it is a database</source>
+        <translation>是数据库</translation>
+    </message>
+    <message>
+        <source>a file of another kind has that name</source>
+        <translation>另一种类型的文件已使用该名称</translation>
+    </message>
+    <message>
+        <source>choose another name, or replace it with --force</source>
+        <translation>请换个名称，或用 --force 替换</translation>
+    </message>
+    <message>
+        <source>choose another name or folder</source>
+        <translation>请换个名称或文件夹</translation>
+    </message>
+    <message>
+        <source>the file has more than 1.5 million places</source>
+        <translation>文件中的位置超过 150 万个</translation>
+    </message>
+    <message>
+        <source>it is longer than 8 MiB</source>
+        <translation>超过 8 MiB</translation>
+    </message>
+    <message>
+        <source>folder &apos;%1&apos;</source>
+        <translation>文件夹“%1”</translation>
+    </message>
+    <message>
+        <source>it holds an invisible character, %1</source>
+        <translation>其中有不可见字符 %1</translation>
+    </message>
+    <message>
+        <source>it has more than %1 markers</source>
+        <translation>标记超过 %1 个</translation>
+    </message>
+    <message>
+        <source>leave out those that no camera sees</source>
+        <translation>去掉没有摄像机能看到的标记</translation>
+    </message>
+    <message>
+        <source>marker &apos;%1&apos; is not on a floor of 1 km</source>
+        <translation>标记“%1”不在 1 公里的地面范围内</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 m</source>
+        <translation>它大于 %1 米</translation>
+    </message>
+    <message>
+        <source>it has %1 views</source>
+        <translation>它有 %1 个视角</translation>
+    </message>
+    <message>
+        <source>it has %1 robots</source>
+        <translation>它有 %1 个机器人</translation>
+    </message>
+    <message>
+        <source>%1: texts of more than %2 characters: %3</source>
+        <translation>%1：超过 %2 个字符的文本：%3</translation>
+    </message>
+    <message>
+        <source>%1: numbers beyond %2: %3</source>
+        <translation>%1：超出 %2 的数：%3</translation>
+    </message>
+    <message>
+        <source>%1: more than %2 of one %3: %4</source>
+        <translation>%1：同一 %3 超过 %2 个：%4</translation>
+    </message>
+    <message>
+        <source>the rest is not read; change it here, or where the file comes from</source>
+        <translation>其余部分不读取；请在此处或文件来源处更改</translation>
+    </message>
+    <message>
+        <source>trial %1 of the project</source>
+        <translation>项目的试验 %1</translation>
+    </message>
+    <message>
+        <source>a value to be stored is not a number of ordinary size</source>
+        <translation>要存储的值不是正常大小的数</translation>
+    </message>
+    <message>
+        <source>look for stray files</source>
+        <translation>查找无归属的文件</translation>
+    </message>
+    <message>
+        <source>remove stray files</source>
+        <translation>移除无归属的文件</translation>
+    </message>
+    <message>
+        <source>cannot remove &apos;%1&apos;</source>
+        <translation>无法移除“%1”</translation>
+    </message>
+    <message>
+        <source>check the rights of the project&apos;s folder</source>
+        <translation>请检查项目文件夹的权限</translation>
+    </message>
+    <message>
+        <source>another program is writing or removing it just now</source>
+        <translation>另一程序正在写入或移除它</translation>
+    </message>
+    <message>
+        <source>its videos are kept in &apos;%1&apos;; put the project back, and run odograph check P.odo --adopt</source>
+        <translation>其视频保留在“%1”中；请将项目放回原处，然后运行 odograph check P.odo --adopt</translation>
+    </message>
+    <message>
+        <source>something unexpected happened (%1)</source>
+        <translation>发生了意外情况（%1）</translation>
+    </message>
+    <message>
+        <source>try again, and report it if it happens again</source>
+        <translation>请重试；如再次发生请报告</translation>
+    </message>
+    <message>
+        <source>its frame rate is not between 0.1 and 100,000 frames a second</source>
+        <translation>帧率不在每秒 0.1 到 100,000 帧之间</translation>
+    </message>
+    <message>
+        <source>give the rate at which the camera took the frames</source>
+        <translation>请给出摄像机拍摄的帧率</translation>
+    </message>
+    <message>
+        <source>looking through the media folder</source>
+        <translation>正在查看媒体文件夹</translation>
     </message>
 </context>
 <context>
@@ -6932,6 +7108,17 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
     <message>
         <source>History</source>
         <translation>历史</translation>
+    </message>
+</context>
+<context>
+    <name>OutputQuestion</name>
+    <message>
+        <source>%1 is a file of another kind. Replace it?</source>
+        <translation>%1 是另一种类型的文件。要替换吗？</translation>
+    </message>
+    <message>
+        <source>%1 exists. Replace it?</source>
+        <translation>%1 已存在。要替换吗？</translation>
     </message>
 </context>
 <context>
@@ -7917,6 +8104,18 @@ Much more than expected means that something is not as it was told: the views ar
         <source>rate varies</source>
         <translation>帧率不恒定</translation>
     </message>
+    <message>
+        <source>Results</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>%1: changed in the file since they were analysed. Analyse the trial again.</source>
+        <translation>%1：分析后在文件中被更改。请重新分析该试验。</translation>
+    </message>
+    <message>
+        <source>do not rely on them</source>
+        <translation>不可信</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>
@@ -8007,6 +8206,10 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Task</source>
         <translation>任务</translation>
+    </message>
+    <message>
+        <source>Do not rely on these results: they were changed in the file since they were analysed.</source>
+        <translation>请勿采信这些结果：分析后它们在文件中被更改过。</translation>
     </message>
 </context>
 <context>
@@ -10846,6 +11049,14 @@ Much more than expected means that something is not as it was told: the views ar
         <source>Restore the backup</source>
         <translation>恢复备份</translation>
     </message>
+    <message>
+        <source>“%1” was deleted, renamed or replaced by another program. What is in it is rescued as soon as the running work has ended.</source>
+        <translation>“%1”被其他程序删除、重命名或替换。当前工作结束后，将立即抢救其中的内容。</translation>
+    </message>
+    <message>
+        <source>“%1” was deleted, renamed or replaced by another program. What was in it is rescued in “%2”, which is open now.</source>
+        <translation>“%1”被其他程序删除、重命名或替换。其中的内容已抢救到“%2”，现已打开。</translation>
+    </message>
 </context>
 <context>
     <name>odo::MapArea</name>
@@ -12760,6 +12971,10 @@ Much more than expected means that something is not as it was told: the views ar
         <source>All changes saved</source>
         <translation>所有更改均已保存</translation>
     </message>
+    <message>
+        <source>Saving…</source>
+        <translation>正在保存…</translation>
+    </message>
 </context>
 <context>
     <name>odo::StepDialog</name>
@@ -13845,6 +14060,60 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>%1 of %2 lost videos were found, by their content.</source>
         <translation>已按内容找到丢失的视频：%1，共 %2。</translation>
+    </message>
+    <message>
+        <source>Find &amp;stray files…</source>
+        <translation>查找无归属的文件(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Looking for stray files</source>
+        <translation>正在查找无归属的文件</translation>
+    </message>
+    <message>
+        <source>Every file in the media folder belongs to a trial, a lens calibration or a floor registration.</source>
+        <translation>媒体文件夹中的每个文件都属于某次试验、镜头标定或地面配准。</translation>
+    </message>
+    <message>
+        <source>Stray files</source>
+        <translation>无归属的文件</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) in the media folder belong to no trial, lens calibration or floor registration.</source>
+        <translation>
+            <numerusform>媒体文件夹中有 %n 个文件不属于任何试验、镜头标定或地面配准。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Videos can become trials of their own. Removed files are gone for good.</source>
+        <translation>视频可以成为单独的试验。移除的文件无法恢复。</translation>
+    </message>
+    <message>
+        <source>&amp;Add videos as trials</source>
+        <translation>将视频添加为试验(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove files</source>
+        <translation>移除文件(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Adding stray videos as trials</source>
+        <translation>正在将无归属的视频添加为试验</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trial(s) added. Their names begin with &quot;recovered&quot;.</source>
+        <translation>
+            <numerusform>已添加 %n 次试验，名称以“recovered”开头。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Removing stray files</source>
+        <translation>正在移除无归属的文件</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stray file(s) removed.</source>
+        <translation>
+            <numerusform>已移除 %n 个无归属的文件。</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/shortage.h"
 
+#include "core/base/cancel_scope.h"
 #include "core/base/last_resort.h"
 
 #include <exception>
@@ -12,6 +13,17 @@ namespace odo {
 namespace {
 
 Error shortage(std::string what, const char *why) { return {ErrorCode::Unavailable, std::move(what), why, shortageAdvice}; }
+
+bool isCancelledWork()
+{
+    try {
+        throw;
+    } catch (const WorkCancelled &) {
+        return true;
+    } catch (...) {
+        return false;
+    }
+}
 
 std::string wordsOfException()
 {
@@ -33,6 +45,8 @@ Error noThread(std::string what)
 
 Error shortageNow(std::string what)
 {
+    if (isCancelledWork())
+        return cancelled(std::move(what)).value();
     if (const char *why = shortageBeingHandled())
         return shortage(std::move(what), why);
     return {ErrorCode::Internal, std::move(what), "something unexpected happened (" + wordsOfException() + ")",
@@ -43,7 +57,9 @@ void sideBySide(std::size_t parts, const std::function<void(std::size_t)> &work)
 {
     std::mutex mutex;
     std::exception_ptr thrown;
+    const CancelToken *const cancel = CancelScope::current();
     const auto doPart = [&](std::size_t part) {
+        const CancelScope scope(cancel);
         try {
             work(part);
         } catch (...) {

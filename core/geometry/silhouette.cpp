@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/silhouette.h"
 
+#include "core/base/cancel_scope.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -63,6 +65,7 @@ std::vector<Vector2d> convexHull(std::vector<Vector2d> points)
 std::optional<RegionMoments> silhouetteMoments(const FloorView &view, const SolidShape &shape,
                                                const Vector2d &positionInWorld, double headingRad)
 {
+    endIfCancelled(); // whoever fits a solid asks for thousands
     std::vector<Vector2d> pixels;
     for (const Vector2d &corner : footprint(shape, headingRad)) {
         const Vector2d place = positionInWorld + corner;

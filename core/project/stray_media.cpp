@@ -91,6 +91,12 @@ Result<ReferredFiles> referredFiles(Project &project)
     return files;
 }
 
+/// No link, device or pipe, which may do anything when it is opened.
+bool isOrdinary(const std::filesystem::path &file)
+{
+    return files::kindOfItself(file) == files::Kind::File;
+}
+
 /// All that is in the folder and below, links as such.
 void addAllBelow(const std::filesystem::path &folder, std::vector<std::filesystem::path> &found, std::error_code &problem)
 {
@@ -118,7 +124,7 @@ Result<std::vector<std::filesystem::path>> strayMedia(Project &project)
         return fail(ErrorCode::Io, "look in '" + media.string() + "'", problem.message(), "check that the folder is there and may be read");
     // Who adds a trial holds its files until it is in the project: looked at in this order, none of them is taken for a stray one.
     std::erase_if(files, [&](const std::filesystem::path &file) {
-        return file == RecordingLock::fileIn(media) || HeldFile::isHeld(file);
+        return file == RecordingLock::fileIn(media) || (isOrdinary(file) && HeldFile::isHeld(file));
     });
     if (files.empty())
         return files;
@@ -149,7 +155,7 @@ Result<bool> removeStray(Project &project, const std::filesystem::path &file)
         return fail(ErrorCode::Io, what, std::strerror(reason), "check the rights of the project's folder");
     };
     int descriptor = -1;
-    if (files::kindOfItself(file) != files::Kind::Link) {
+    if (isOrdinary(file)) {
         descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
         if (descriptor < 0)
             return errno == ENOENT ? Result<bool>(false) : failed(errno);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/kalman_smoother.h"
 
+#include "core/base/cancel_scope.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <cmath>
@@ -186,6 +188,7 @@ double MotionFilter::logVolume() const
 
 void MotionFilter::predict(const TrackNode &node)
 {
+    endIfCancelled();
     if (!m_started)
         return;
     const Step step(node.timeS - m_timeS, node.travelM - m_travelM, node.struck, m_noise);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/job.h"
 
+#include "core/base/cancel_scope.h"
 #include "core/base/shortage.h"
 
 namespace odo {
@@ -10,8 +11,11 @@ Result<void> runToEnd(Job &job, Project &project, const JobControl &control)
     return orShortage(cannotDoThis, [&]() -> Result<void> {
         if (auto prepared = job.prepare(project); !prepared)
             return prepared;
-        if (auto done = job.run(control); !done)
-            return done;
+        {
+            const CancelScope scope(&control.cancel);
+            if (auto done = job.run(control); !done)
+                return done;
+        }
         return job.commit(project);
     });
 }

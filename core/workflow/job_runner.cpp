@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/job_runner.h"
 
+#include "core/base/cancel_scope.h"
 #include "core/base/shortage.h"
 #include "core/workflow/call_later.h"
 #include "core/workflow/job.h"
@@ -35,7 +36,10 @@ bool JobRunner::start(std::shared_ptr<Job> job)
                            callLater(this, [this, fraction, words] { Q_EMIT progressed(fraction, words); });
                        }};
     auto thread = startThread(cannotDoThis, [worker = m_job, control, finishLater] {
-        finishLater(orShortage(cannotDoThis, [&] { return worker->run(control); }));
+        finishLater(orShortage(cannotDoThis, [&] {
+            const CancelScope scope(&control.cancel);
+            return worker->run(control);
+        }));
     });
     if (thread)
         m_thread = std::move(*thread);

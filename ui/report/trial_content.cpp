@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/trial_content.h"
 
+#include "core/base/cancel_scope.h"
 #include "core/base/file_system.h"
 #include "core/base/shortage.h"
 #include "core/project/project.h"
@@ -72,7 +73,8 @@ Nanoseconds keyFrameTime(const TrialScene &scene, const Readers &readers, Nanose
 
 std::vector<Still> takeStills(const TrialScene &scene, Nanoseconds time, int widthPx)
 {
-    return takeStills(scene, openVideos(scene, {}), time, widthPx);
+    const CancelToken *cancel = CancelScope::current(); // of a report in the making; a window waits for its stills
+    return takeStills(scene, openVideos(scene, cancel ? *cancel : CancelToken()), time, widthPx);
 }
 
 Nanoseconds tellingMoment(const TrialScene &scene)

@@ -79,6 +79,7 @@ struct FrameFetcher::Worker
             const std::lock_guard lock(mutex);
             ending = true;
         }
+        ended.cancel();
         wake.notify_one();
         if (thread)
             thread->join();
@@ -111,6 +112,7 @@ struct FrameFetcher::Worker
     std::condition_variable wake;
     std::optional<Request> newest;
     bool ending = false;
+    const CancelToken ended; ///< so that the end needn't wait for a frame far from a key frame
 
     // worker's thread
     std::unique_ptr<VideoReader> reader;
@@ -149,7 +151,7 @@ bool FrameFetcher::Worker::prepare(const Request &request)
         reader.reset();
         cache.clear();
         lastFrame = -1;
-        auto opened = VideoReader::open(request.file);
+        auto opened = VideoReader::open(request.file, ended);
         if (!opened) {
             deliver(request, {}, errorLine(opened.error()));
             return false;

@@ -10,9 +10,11 @@
 #include "ui/record/camera_choice.h"
 #include "ui/record/record_page.h"
 
+#include <QDir>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <csignal>
 
 using namespace odo;
@@ -68,11 +70,9 @@ void TestStopRequests::record()
     button->click();
     QTRY_VERIFY_WITH_TIMEOUT(page->isRecording(), 60'000);
     const auto pictures = [&] {
-        const auto file = m_folder->filePath(QStringLiteral("lesson.media"));
-        for (const auto &each : std::filesystem::directory_iterator(file.toStdString()))
-            if (each.path().extension() == ".mkv" && each.file_size() > 50'000)
-                return true;
-        return false;
+        const QDir media(m_folder->filePath(QStringLiteral("lesson.media")));
+        const QFileInfoList videos = media.entryInfoList({QStringLiteral("*.mkv")}, QDir::Files);
+        return std::ranges::any_of(videos, [](const QFileInfo &video) { return video.size() > 50'000; });
     };
     QTRY_VERIFY_WITH_TIMEOUT(pictures(), 60'000);
 }

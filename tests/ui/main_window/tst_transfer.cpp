@@ -177,7 +177,7 @@ void TestTransfer::strayFilesBecomeTrialsOrGo()
         pressButton(QStringLiteral("Add videos as trials"))(dialog);
     });
     QTRY_VERIFY(project.trials().find("recovered: lap").has_value());
-    test::waitFor(*m_window);
+    QTRY_VERIFY(!m_window->workspace().isBusy());
     QVERIFY2(message().startsWith(QStringLiteral("1 trial")), qPrintable(message()));
     answerStrays(pressButton(QStringLiteral("Remove files")));
     QTRY_VERIFY(!notes.exists());

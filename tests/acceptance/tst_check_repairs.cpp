@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What odograph check does about files that are lost or belong to nothing.
+#include "tests/support/calling_test.h"
+#include "tests/support/noise_clip.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QTest>
+
+using namespace odo;
+using namespace odo::test;
+
+class TestCheckRepairs : public QObject, CallingTest
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QVERIFY(writeNoiseClip(path("clip.mkv").toStdString(), 1).has_value());
+        QCOMPARE(good("new %P").exitStatus, 0);
+        QCOMPARE(good("import %P --trial run --video A=%/clip.mkv").exitStatus, 0);
+        QCOMPARE(good("check %P").out, QByteArray("All is well.\n"));
+    }
+
+    void strayFilesAreNamedAdoptedAndRemoved()
+    {
+        QVERIFY(QFile::copy(path("clip.mkv"), path("class.media/lap_A.mkv")));
+        write("class.media/notes.txt", "no video");
+        const ProgramRun named = run("check %P");
+        QCOMPARE(named.exitStatus, 1);
+        QVERIFY2(named.out.contains("lap_A.mkv: no trial, lens calibration or floor registration uses this file; "), named.out);
+        QVERIFY2(named.err.contains("2 problems found"), named.err);
+        const ProgramRun adopted = run("check %P --adopt --json");
+        QCOMPARE(adopted.exitStatus, 1); // the other one is still there
+        QCOMPARE(adopted.json().value(QStringLiteral("adopted")).toArray(), QJsonArray{QStringLiteral("recovered: lap")});
+        QCOMPARE(adopted.json().value(QStringLiteral("problems")).toArray().size(), 1);
+        const ProgramRun removed = good("check %P --remove-strays");
+        QCOMPARE(removed.exitStatus, 0);
+        QVERIFY2(removed.out.contains("notes.txt removed\nAll is well."), removed.out);
+        QVERIFY(!QFile::exists(path("class.media/notes.txt")));
+        QVERIFY(QFile::exists(path("class.media/lap_A.mkv")) && QFile::exists(path("class.media/run_A.mkv")));
+    }
+
+    void lostVideosAreFoundByTheirContent()
+    {
+        QVERIFY(QDir().mkpath(path("stick")));
+        QVERIFY(QFile::rename(path("class.media/run_A.mkv"), path("stick/other.mkv")));
+        const ProgramRun lost = run("check %P");
+        QVERIFY2(lost.out.contains("--find FOLDER"), lost.out);
+        const ProgramRun beside = run("check %P --find %/class.media");
+        QCOMPARE(beside.exitStatus, 0); // lap_A.mkv is the same video
+        QVERIFY2(beside.out.contains("Lost videos found by their content: 1 of 1"), beside.out);
+        QVERIFY(QFile::remove(path("class.media/lap_A.mkv")));
+        QCOMPARE(run("check %P --find %/class.media").exitStatus, 1);
+        const ProgramRun found = good("check %P --find %/stick --json");
+        QCOMPARE(found.exitStatus, 0);
+        QCOMPARE(found.json().value(QStringLiteral("found")).toInt(), 2);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCheckRepairs)
+#include "tst_check_repairs.moc"
