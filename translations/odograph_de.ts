@@ -6491,6 +6491,30 @@
         <source>looking through the media folder</source>
         <translation>der Medienordner wird durchsucht</translation>
     </message>
+    <message>
+        <source>it is a project that is open here</source>
+        <translation>es ist ein Projekt, das hier geöffnet ist</translation>
+    </message>
+    <message>
+        <source>choose another file</source>
+        <translation>wählen Sie eine andere Datei</translation>
+    </message>
+    <message>
+        <source>put the file back in its place</source>
+        <translation>legen Sie die Datei an ihren Platz zurück</translation>
+    </message>
+    <message>
+        <source>its folder is gone, and there is no home folder to rescue it to</source>
+        <translation>sein Ordner ist verschwunden, und es gibt keinen persönlichen Ordner, in den es gerettet werden könnte</translation>
+    </message>
+    <message>
+        <source>it could not be copied to be read (%1)</source>
+        <translation>es konnte zum Lesen nicht kopiert werden (%1)</translation>
+    </message>
+    <message>
+        <source>copy it with the files beside it to a folder that you may write to, and open the copy</source>
+        <translation>kopieren Sie es mit den Dateien daneben in einen Ordner, in den Sie schreiben dürfen, und öffnen Sie die Kopie</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6491,6 +6491,30 @@
         <source>looking through the media folder</source>
         <translation>examinando la carpeta de medios</translation>
     </message>
+    <message>
+        <source>it is a project that is open here</source>
+        <translation>es un proyecto que está abierto aquí</translation>
+    </message>
+    <message>
+        <source>choose another file</source>
+        <translation>elija otro archivo</translation>
+    </message>
+    <message>
+        <source>put the file back in its place</source>
+        <translation>devuelva el archivo a su lugar</translation>
+    </message>
+    <message>
+        <source>its folder is gone, and there is no home folder to rescue it to</source>
+        <translation>su carpeta ha desaparecido y no hay carpeta personal donde rescatarlo</translation>
+    </message>
+    <message>
+        <source>it could not be copied to be read (%1)</source>
+        <translation>no se pudo copiar para leerlo (%1)</translation>
+    </message>
+    <message>
+        <source>copy it with the files beside it to a folder that you may write to, and open the copy</source>
+        <translation>cópielo, con los archivos que están junto a él, a una carpeta en la que pueda escribir y abra la copia</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6491,6 +6491,30 @@
         <source>looking through the media folder</source>
         <translation>examen du dossier des médias</translation>
     </message>
+    <message>
+        <source>it is a project that is open here</source>
+        <translation>c&apos;est un projet qui est ouvert ici</translation>
+    </message>
+    <message>
+        <source>choose another file</source>
+        <translation>choisissez un autre fichier</translation>
+    </message>
+    <message>
+        <source>put the file back in its place</source>
+        <translation>remettez le fichier à sa place</translation>
+    </message>
+    <message>
+        <source>its folder is gone, and there is no home folder to rescue it to</source>
+        <translation>son dossier a disparu, et il n&apos;y a pas de dossier personnel où le récupérer</translation>
+    </message>
+    <message>
+        <source>it could not be copied to be read (%1)</source>
+        <translation>il n&apos;a pas pu être copié pour être lu (%1)</translation>
+    </message>
+    <message>
+        <source>copy it with the files beside it to a folder that you may write to, and open the copy</source>
+        <translation>copiez-le avec les fichiers voisins dans un dossier où vous pouvez écrire, et ouvrez la copie</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6489,6 +6489,30 @@
         <source>looking through the media folder</source>
         <translation>미디어 폴더를 살펴보는 중</translation>
     </message>
+    <message>
+        <source>it is a project that is open here</source>
+        <translation>여기에서 열려 있는 프로젝트입니다</translation>
+    </message>
+    <message>
+        <source>choose another file</source>
+        <translation>다른 파일을 선택하십시오</translation>
+    </message>
+    <message>
+        <source>put the file back in its place</source>
+        <translation>파일을 제자리에 돌려놓으십시오</translation>
+    </message>
+    <message>
+        <source>its folder is gone, and there is no home folder to rescue it to</source>
+        <translation>폴더가 사라졌고 구조할 홈 폴더도 없습니다</translation>
+    </message>
+    <message>
+        <source>it could not be copied to be read (%1)</source>
+        <translation>읽기 위해 복사할 수 없습니다 (%1)</translation>
+    </message>
+    <message>
+        <source>copy it with the files beside it to a folder that you may write to, and open the copy</source>
+        <translation>옆에 있는 파일과 함께 쓸 수 있는 폴더로 복사한 뒤 그 사본을 여십시오</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

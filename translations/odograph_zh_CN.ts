@@ -6489,6 +6489,30 @@
         <source>looking through the media folder</source>
         <translation>正在查看媒体文件夹</translation>
     </message>
+    <message>
+        <source>it is a project that is open here</source>
+        <translation>它是此处已打开的项目</translation>
+    </message>
+    <message>
+        <source>choose another file</source>
+        <translation>请选择其他文件</translation>
+    </message>
+    <message>
+        <source>put the file back in its place</source>
+        <translation>请将文件放回原处</translation>
+    </message>
+    <message>
+        <source>its folder is gone, and there is no home folder to rescue it to</source>
+        <translation>它的文件夹已不存在，也没有可用于抢救的主文件夹</translation>
+    </message>
+    <message>
+        <source>it could not be copied to be read (%1)</source>
+        <translation>无法复制以供读取（%1）</translation>
+    </message>
+    <message>
+        <source>copy it with the files beside it to a folder that you may write to, and open the copy</source>
+        <translation>请将它与旁边的文件一起复制到您可写入的文件夹，然后打开副本</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -2,6 +2,7 @@
 #include "core/exchange/project_archive.h"
 
 #include "core/base/file_system.h"
+#include "core/files/protected_files.h"
 #include "core/files/output_file.h"
 
 #include <algorithm>
@@ -64,6 +65,8 @@ public:
     template <class Written>
     Result<void> add(const ArchiveEntry &file, const Written &written)
     {
+        if (auto may = checkMayBeRead(file.file, "pack '" + file.file.string() + "'"); !may)
+            return may;
         std::error_code problem;
         const auto bytes = files::sizeOf(file.file, problem);
         std::ifstream in(file.file, std::ios::binary);

@@ -2,6 +2,7 @@
 #include "core/exchange/text_file.h"
 
 #include "core/base/file_system.h"
+#include "core/files/protected_files.h"
 
 #include <QFile>
 #include <QStringDecoder>
@@ -50,6 +51,8 @@ Result<TextFile> TextFile::open(const std::filesystem::path &file, std::size_t m
     impl->maxBytes = maxBytes;
     if (files::isFolder(file))
         return fail(ErrorCode::InvalidInput, impl->what, "it is a folder", "name a file");
+    if (auto may = checkMayBeRead(file, impl->what); !may)
+        return tl::unexpected(may.error());
     impl->input.setFileName(QString::fromStdString(file.string()));
     if (!impl->input.open(QIODevice::ReadOnly)) {
         if (!impl->input.exists())

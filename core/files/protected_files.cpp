@@ -2,10 +2,10 @@
 #include "core/files/protected_files.h"
 
 #include "core/base/file_system.h"
-
 #include "core/files/resolved_path.h"
 
 #include <algorithm>
+#include <array>
 #include <sys/stat.h>
 
 namespace odo {
@@ -55,6 +55,18 @@ OpenProjectFile::~OpenProjectFile()
 {
     const std::lock_guard lock(protectedLists().mutex);
     protectedLists().projects.erase(m_entry);
+}
+
+Result<void> checkMayBeRead(const std::filesystem::path &file, const std::string &what)
+{
+    const auto identity = identityOf(file);
+    const ProtectedFiles all;
+    const auto isPartOf = [&](const ProtectedFile &project) {
+        return std::ranges::any_of(std::array{"", "-shm", "-wal", "-journal"}, [&](const char *part) { return identityOf(project.real.string() + part) == identity; });
+    };
+    if (identity && std::ranges::any_of(all.projects(), isPartOf))
+        return fail(ErrorCode::InvalidInput, what, "it is a project that is open here", "choose another file");
+    return {};
 }
 
 InputFiles::~InputFiles()

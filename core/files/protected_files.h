@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/error.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <list>
@@ -40,6 +42,11 @@ public:
 private:
     std::list<ProtectedFile>::iterator m_entry;
 };
+
+/// Asked before a file that a person or a project names is opened to be read: InvalidInput where it is a project that this process has
+/// open, or what SQLite keeps beside it. what: for the message. (To close a descriptor of a file drops all locks of the process on it,
+/// SQLite's too: POSIX, fcntl(2).) Any thread.
+Result<void> checkMayBeRead(const std::filesystem::path &file, const std::string &what);
 
 /// As long as it lives, files count as inputs: what is made of them must not take their place. One thread; the list is shared by all.
 class InputFiles

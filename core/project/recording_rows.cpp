@@ -2,6 +2,7 @@
 #include "core/project/recording_rows.h"
 
 #include "core/base/file_system.h"
+#include "core/files/protected_files.h"
 #include "core/base/sha256.h"
 #include "core/project/connection.h"
 #include "core/project/names.h"
@@ -219,6 +220,8 @@ std::filesystem::path absolutePath(const std::filesystem::path &projectFile, con
 Result<std::string> fileSha256(const std::filesystem::path &file, const JobControl &control)
 {
     const std::string what = "file '" + file.string() + "'";
+    if (auto may = checkMayBeRead(file, what); !may)
+        return tl::unexpected(may.error());
     QFile input(QString::fromStdString(file.string()));
     if (!input.open(QIODevice::ReadOnly))
         return fail(input.exists() ? ErrorCode::Io : ErrorCode::NotFound, what,

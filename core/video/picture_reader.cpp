@@ -2,6 +2,7 @@
 #include "core/video/picture_reader.h"
 
 #include "core/base/file_system.h"
+#include "core/files/protected_files.h"
 #include "core/base/shortage.h"
 #include "core/video/jpeg_decoder.h"
 #include "core/video/jpeg_file.h"
@@ -43,6 +44,8 @@ Result<FileContent> readFile(const std::filesystem::path &file)
     if (kind != files::Kind::File)
         return fail(ErrorCode::InvalidInput, cannotRead(file), "it is not an ordinary file",
                     "name a picture");
+    if (auto may = checkMayBeRead(file, cannotRead(file)); !may)
+        return tl::unexpected(may.error());
     const std::uintmax_t size = files::sizeOf(file, error);
     if (error || size > maximumFileBytes)
         return fail(ErrorCode::InvalidInput, cannotRead(file), "the file is larger than 1 GB",

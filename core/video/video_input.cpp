@@ -2,6 +2,7 @@
 #include "core/video/video_input.h"
 
 #include "core/base/file_system.h"
+#include "core/files/protected_files.h"
 
 #include <algorithm>
 #include <vector>
@@ -82,6 +83,8 @@ VideoInput::~VideoInput()
 
 Result<void> VideoInput::openContainer(const AVInputFormat *known)
 {
+    if (auto may = checkMayBeRead(m_file, couldNotOpen(m_file)); !may)
+        return may;
     libav::Options ioOptions;
     ioOptions.set("protocol_whitelist", "file");
     // "file:" keeps a name like "http:x.mkv" from being read as an address.

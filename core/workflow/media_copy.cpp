@@ -2,11 +2,12 @@
 #include "core/workflow/media_copy.h"
 
 #include "core/base/file_system.h"
+#include "core/base/sha256.h"
+#include "core/files/protected_files.h"
 #include "core/exchange/file_name.h"
 #include "core/project/new_file.h"
 #include "core/project/recording_rows.h"
 
-#include <QCryptographicHash>
 #include <QFile>
 
 namespace odo {
@@ -48,17 +49,19 @@ ClaimedFile::Outcome<ClaimedFile> inFolder(const std::filesystem::path &folder, 
 Result<std::string> copyHashed(const std::filesystem::path &source, const ClaimedFile &target, const std::string &what,
                                const JobControl &control)
 {
+    if (auto may = checkMayBeRead(source, what); !may)
+        return tl::unexpected(may.error());
     QFile in(QString::fromStdString(source.string()));
     if (!in.open(QIODevice::ReadOnly))
         return fail(ErrorCode::Io, what, in.errorString().toStdString(), roomAdvice);
-    QCryptographicHash hash(QCryptographicHash::Sha256);
+    Sha256 hash;
     for (qint64 waiting = 0; !in.atEnd();) {
         if (control.isCancelled())
             return cancelled(what);
         const QByteArray block = in.read(blockBytes);
         if (block.isEmpty() && in.error() != QFileDevice::NoError)
             return fail(ErrorCode::Io, what, in.errorString().toStdString(), roomAdvice);
-        hash.addData(block);
+        hash.add(block.constData(), static_cast<std::size_t>(block.size()));
         std::error_code problem = target.write({block.constData(), static_cast<std::size_t>(block.size())});
         waiting += block.size();
         if (!problem && waiting >= syncEach) {
@@ -68,7 +71,7 @@ Result<std::string> copyHashed(const std::filesystem::path &source, const Claime
         if (problem)
             return fail(ErrorCode::Io, what, problem.message(), roomAdvice);
     }
-    return hash.result().toHex().toStdString();
+    return hash.hex();
 }
 
 Result<void> published(ClaimedFile &file, const std::string &name, const std::string &ending, const std::string &what)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/logo.h"
 
+#include "core/files/protected_files.h"
+
 #include <QImageReader>
 #include <QString>
 
@@ -12,6 +14,8 @@ Result<QImage> readLogo(const std::filesystem::path &file)
     constexpr QSize shown(1400, 400); // ten times what a page shows: sharp in print
     const std::string what = "logo '" + file.string() + "'";
     const char *advice = "choose a PNG, JPEG or SVG picture";
+    if (auto may = checkMayBeRead(file, what); !may)
+        return tl::unexpected(may.error());
     QImageReader reader(QString::fromStdString(file.string()));
     reader.setAutoTransform(true);
     const QSize size = reader.size();

@@ -6,6 +6,8 @@ namespace odo::core_words {
 std::span<const CorePattern> errorsFiles()
 {
     static constexpr CorePattern patterns[] = {
+        {QT_TRANSLATE_NOOP("CoreWords", "it is a project that is open here")},
+        {QT_TRANSLATE_NOOP("CoreWords", "choose another file")},
         {QT_TRANSLATE_NOOP("CoreWords", "write the task as odograph task list --json shows one")},
         {QT_TRANSLATE_NOOP("CoreWords", "it has no name")},
         {QT_TRANSLATE_NOOP("CoreWords", "its folder cannot be used (%1)")},
