@@ -5,7 +5,7 @@
 #include "core/base/sha256.h"
 #include "core/files/protected_files.h"
 #include "core/exchange/file_name.h"
-#include "core/project/new_file.h"
+#include "core/files/temporary.h"
 #include "core/project/recording_rows.h"
 
 #include <QFile>
