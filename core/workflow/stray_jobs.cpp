@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/stray_jobs.h"
 
+#include "core/base/file_system.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/project/stray_media.h"
