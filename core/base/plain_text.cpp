@@ -48,6 +48,12 @@ std::string plain(std::string_view text, bool keepsLines)
     std::string shown;
     shown.reserve(text.size());
     while (!text.empty()) {
+        const auto isLetter = [](char c) { return c >= 0x20 && c < 0x7f; }; // most are
+        const std::size_t letters = static_cast<std::size_t>(std::ranges::find_if_not(text, isLetter) - text.begin());
+        shown += text.substr(0, letters);
+        text.remove_prefix(letters);
+        if (text.empty())
+            break;
         const auto [character, bytes] = firstOf(text);
         const std::size_t taken = std::max<std::size_t>(bytes, 1);
         if (bytes == 0 || character < 0x20 || character == 0x7f) {

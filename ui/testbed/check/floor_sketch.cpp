@@ -86,15 +86,17 @@ QPointF FloorSketch::fromWorld(const Eigen::Vector2d &point) const
     return m_origin + QPointF(point.x(), -point.y()) * m_pixelsPerMetre;
 }
 
-void FloorSketch::paintGrid(QPainter &painter) const
+bool FloorSketch::paintGrid(QPainter &painter) const
 {
     painter.setPen(QPen(ThemeColours::of(palette()).mapGrid, 1));
     const double left = -m_origin.x() / m_pixelsPerMetre, right = (width() - m_origin.x()) / m_pixelsPerMetre;
     const double bottom = (m_origin.y() - height()) / m_pixelsPerMetre, top = m_origin.y() / m_pixelsPerMetre;
-    for (const double x : floorGridLines(left, right))
+    const std::vector<double> columns = floorGridLines(left, right), rows = floorGridLines(bottom, top);
+    for (const double x : columns)
         painter.drawLine(QPointF(fromWorld({x, 0}).x(), 0), QPointF(fromWorld({x, 0}).x(), height()));
-    for (const double y : floorGridLines(bottom, top))
+    for (const double y : rows)
         painter.drawLine(QPointF(0, fromWorld({0, y}).y()), QPointF(width(), fromWorld({0, y}).y()));
+    return !columns.empty() && !rows.empty();
 }
 
 void FloorSketch::paintCamera(QPainter &painter, const SketchedCamera &camera, const QColor &colour) const
@@ -169,7 +171,7 @@ void FloorSketch::paintEvent(QPaintEvent *)
             tr("Markers and cameras are drawn here once there is a layout or a registered camera."));
         return;
     }
-    paintGrid(painter);
+    const bool hasGrid = paintGrid(painter);
     if (m_accuracy)
         drawAccuracy(painter, *m_accuracy, [this](const Eigen::Vector2d &point) { return fromWorld(point); }, palette());
     paintMarkers(painter);
@@ -177,7 +179,7 @@ void FloorSketch::paintEvent(QPaintEvent *)
         paintCamera(painter, m_cameras[i], seriesColour(static_cast<int>(i), palette()));
     painter.setPen(colours.muted);
     painter.drawText(rect().adjusted(8, 4, -8, -4), Qt::AlignRight | Qt::AlignBottom,
-                     tr("grid %1 m").arg(QLocale().toString(floorGridM)));
+                     hasGrid ? tr("grid %1 m").arg(QLocale().toString(floorGridM)) : QString());
     if (m_accuracy)
         drawAccuracyKey(painter, *m_accuracy, rect(), palette());
 }

@@ -49,7 +49,7 @@ protected:
 private:
     enum class Held { Nothing, Camera, Aim };
     void fit();
-    void paintGrid(QPainter &painter) const;
+    bool paintGrid(QPainter &painter) const; ///< whether there are lines to be seen
     void paintCamera(QPainter &painter, const SketchedCamera &camera, const QColor &colour) const;
     void paintMarkers(QPainter &painter) const;
 
