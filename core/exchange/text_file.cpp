@@ -99,6 +99,11 @@ Result<std::string> readTextFile(const std::filesystem::path &file, std::size_t 
 
 Result<void> writeTextFile(const std::filesystem::path &file, std::string_view text)
 {
+    return writeTextFile(file, [text](const TextSink &sink) { return sink(text); });
+}
+
+Result<void> writeTextFile(const std::filesystem::path &file, const std::function<Result<void>(const TextSink &)> &write)
+{
     const std::string what = "file '" + file.string() + "'";
     const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
     std::error_code problem;
@@ -106,18 +111,23 @@ Result<void> writeTextFile(const std::filesystem::path &file, std::string_view t
         return fail(ErrorCode::NotFound, what, "there is no folder '" + folder.string() + "'",
                     "make the folder first, or choose another one");
     WholeFile output(QString::fromStdString(file.string()));
-    const bool written =
-        output.open(QIODevice::WriteOnly) &&
-        output.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size()) &&
-        output.commit();
-    if (!written)
+    const auto failure = [&] {
         return fail(output.error() == QFileDevice::OpenError ||
                             output.error() == QFileDevice::PermissionsError
                         ? ErrorCode::ReadOnly
                         : ErrorCode::Io,
                     what, "it cannot be written (" + output.errorString().toStdString() + ")",
                     "choose a folder that you may write to and that has room");
-    return {};
+    };
+    if (!output.open(QIODevice::WriteOnly))
+        return failure();
+    const TextSink sink = [&](std::string_view piece) -> Result<void> {
+        const auto size = static_cast<qint64>(piece.size());
+        return output.write(piece.data(), size) == size ? Result<void>() : failure();
+    };
+    if (auto written = write(sink); !written)
+        return written;
+    return output.commit() ? Result<void>() : failure();
 }
 
 std::string numberText(double value)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/exchange/text_sink.h"
 
 #include <filesystem>
 #include <memory>
@@ -39,6 +40,8 @@ Result<std::string> readTextFile(const std::filesystem::path &file, std::size_t 
 
 /// Writes a text so that under its name there is the old file or the whole new one, never a half.
 Result<void> writeTextFile(const std::filesystem::path &file, std::string_view text);
+/// The same with a text that is made as it is written. What `write` gives as an error is passed on.
+Result<void> writeTextFile(const std::filesystem::path &file, const std::function<Result<void>(const TextSink &)> &write);
 
 /// The shortest decimal text that reads back as the same number, with '.', without exponent, whatever the
 /// locale.

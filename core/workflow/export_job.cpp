@@ -50,7 +50,7 @@ Result<void> ExportJob::writeAll(const JobControl &control)
         if (std::filesystem::exists(file, problem))
             return fail(ErrorCode::AlreadyExists, "file '" + file.string() + "'", "it is there already",
                         "choose an empty folder");
-        if (auto written = writeTextFile(file, trackCsv(analysis, m_style)); !written)
+        if (auto written = writeTextFile(file, [&](const TextSink &sink) { return writeTrackCsv(analysis, m_style, sink); }); !written)
             return written;
         m_files.push_back(file);
     }
