@@ -104,7 +104,10 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
     const auto text = fileText(call, formatName, *trial, *recordings, *analyses, *imported);
     if (!text)
         return tl::unexpected(text.error());
-    if (auto written = writeTextFile(call.value(option::output), *text); !written)
+    const WriteText untilCancelled = [&](const TextSink &sink) {
+        return (*text)([&](std::string_view piece) { return cancel.isCancelled() ? Result<void>(cancelled("export of trial '" + trial->name + "'")) : sink(piece); });
+    };
+    if (auto written = writeTextFile(call.value(option::output), untilCancelled); !written)
         return written;
     const QString file = QString::fromStdString(call.value(option::output));
     call.answer({{QStringLiteral("file"), file}, {QStringLiteral("format"), QString::fromStdString(formatName)}},
