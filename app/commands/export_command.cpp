@@ -18,13 +18,13 @@ namespace odo {
 namespace {
 
 /// The one robot whose track the file is to hold.
-Result<AnalysisRecord> chosenRobot(const std::vector<AnalysisRecord> &analyses, const std::string &trial,
+Result<const AnalysisRecord *> chosenRobot(const std::vector<AnalysisRecord> &analyses, const std::string &trial,
                                    const std::string &name)
 {
     std::string names;
     for (const AnalysisRecord &analysis : analyses) {
         if (analysis.robotName == name || (name.empty() && analyses.size() == 1))
-            return analysis;
+            return &analysis;
         names += (names.empty() ? "'" : ", '") + analysis.robotName + "'";
     }
     const std::string what = "export of trial '" + trial + "'";
@@ -36,25 +36,29 @@ Result<AnalysisRecord> chosenRobot(const std::vector<AnalysisRecord> &analyses, 
                 "track it, or choose another with --robot");
 }
 
-Result<std::string> fileText(const CommandCall &call, const std::string &formatName, const TrialRecord &trial,
-                             const std::vector<RecordingRecord> &recordings, const std::vector<AnalysisRecord> &analyses,
-                             const std::vector<ImportedTrack> &imported)
+/// Writes the file's text to a sink; made first, for the choice of robot and style may be wrong.
+using WriteText = std::function<Result<void>(const TextSink &)>;
+
+Result<WriteText> fileText(const CommandCall &call, const std::string &formatName, const TrialRecord &trial,
+                           const std::vector<RecordingRecord> &recordings, const std::vector<AnalysisRecord> &analyses,
+                           const std::vector<ImportedTrack> &imported)
 {
     const auto chosen = chosenRobot(analyses, trial.name, call.value(option::robot));
     if (formatName == "json" && !call.isSet(option::robot) && !analyses.empty())
-        return trialJson(trial, recordings, analyses, imported);
+        return [&](const TextSink &sink) { return writeTrialJson(trial, recordings, analyses, imported, sink); };
     if (!chosen)
         return tl::unexpected(chosen.error());
+    const AnalysisRecord &analysis = **chosen;
     if (formatName == "json")
-        return trialJson(trial, recordings, {*chosen}, imported);
+        return [&](const TextSink &sink) { return writeTrialJson(trial, recordings, {&analysis, 1}, imported, sink); };
     if (formatName == "tum")
-        return trackTum(*chosen);
+        return [&](const TextSink &sink) { return writeTrackTum(analysis, sink); };
     if (formatName == "tracker")
-        return trackTracker(*chosen);
+        return [&](const TextSink &sink) { return writeTrackTracker(analysis, sink); };
     const auto style = parseCsvStyle(call.value(option::csvStyle));
     if (!style)
         return call.wrongCall(QStringLiteral("--csv-style is analysis, international or continental"));
-    return trackCsv(*chosen, *style);
+    return [&analysis, style = *style](const TextSink &sink) { return writeTrackCsv(analysis, style, sink); };
 }
 
 } // namespace
@@ -103,7 +107,10 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
     const auto text = fileText(call, formatName, *trial, *recordings, *analyses, *imported);
     if (!text)
         return tl::unexpected(text.error());
-    if (auto written = writeOutput(*target, *text); !written)
+    const WriteText untilCancelled = [&](const TextSink &sink) {
+        return (*text)([&](std::string_view piece) { return cancel.isCancelled() ? Result<void>(cancelled("export of trial '" + trial->name + "'")) : sink(piece); });
+    };
+    if (auto written = writeOutput(*target, untilCancelled); !written)
         return written;
     const QString file = QString::fromStdString(call.value(option::output));
     call.answer({{QStringLiteral("file"), file}, {QStringLiteral("format"), QString::fromStdString(formatName)}},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/exchange/text_sink.h"
 
 #include <filesystem>
 #include <memory>

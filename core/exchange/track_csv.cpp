@@ -103,13 +103,14 @@ Result<CsvStyle> parseCsvStyle(std::string_view name)
                 "there is no such style", "choose analysis, international or continental");
 }
 
-std::string trackCsv(const AnalysisRecord &analysis, CsvStyle style)
+Result<void> writeTrackCsv(const AnalysisRecord &analysis, CsvStyle style, const TextSink &sink)
 {
-    std::string text = style == CsvStyle::Analysis ? "" : "\xef\xbb\xbf";
+    TextPieces text(sink);
+    text.add(style == CsvStyle::Analysis ? "" : "\xef\xbb\xbf");
     CsvLine header(style);
     for (const std::string_view column : columns)
         header.text(std::string(column));
-    text += header.take();
+    text.add(header.take());
     const Profile &profile = analysis.profile;
     for (std::size_t i = 0; i < profile.samples.size(); ++i) {
         const Sample &sample = profile.samples[i];
@@ -125,9 +126,14 @@ std::string trackCsv(const AnalysisRecord &analysis, CsvStyle style)
         }
         line.text(viewNames(sample.views, analysis.views));
         line.text(flagNames(sample.flags));
-        text += line.take();
+        text.add(line.take());
     }
-    return text;
+    return text.finish();
+}
+
+std::string trackCsv(const AnalysisRecord &analysis, CsvStyle style)
+{
+    return wholeText([&](const TextSink &sink) { return writeTrackCsv(analysis, style, sink); });
 }
 
 } // namespace odo

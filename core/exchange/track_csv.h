@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/exchange/text_sink.h"
 #include "core/project/records.h"
 
 #include <string>
@@ -22,5 +23,6 @@ Result<CsvStyle> parseCsvStyle(std::string_view name);
 /// is empty. The same bytes in every locale. Cells of text that a spreadsheet would take as a formula begin
 /// with an apostrophe.
 std::string trackCsv(const AnalysisRecord &analysis, CsvStyle style);
+Result<void> writeTrackCsv(const AnalysisRecord &analysis, CsvStyle style, const TextSink &sink);
 
 } // namespace odo

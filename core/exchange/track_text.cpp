@@ -39,21 +39,26 @@ std::string javaNumber(double value)
 
 } // namespace
 
-std::string trackTum(const AnalysisRecord &analysis)
+Result<void> writeTrackTum(const AnalysisRecord &analysis, const TextSink &sink)
 {
     const Profile &profile = analysis.profile;
     const auto headings = headingsOf(profile.points);
-    std::string text;
+    TextPieces text(sink);
     for (std::size_t i = 0; i < profile.points.size(); ++i) {
         const ProfilePoint &point = profile.points[i];
         if (!isUsable(point))
             continue;
         const double heading = headings[i] ? headings[i]->radians : 0.0;
-        text += numberText(secondsOf(profile.samples[i])) + ' ' + numberText(point.position.x()) + ' ' +
-                numberText(point.position.y()) + " 0 0 0 " + numberText(std::sin(heading / 2)) + ' ' +
-                numberText(std::cos(heading / 2)) + '\n';
+        text.add(numberText(secondsOf(profile.samples[i])) + ' ' + numberText(point.position.x()) + ' ' +
+                 numberText(point.position.y()) + " 0 0 0 " + numberText(std::sin(heading / 2)) + ' ' +
+                 numberText(std::cos(heading / 2)) + '\n');
     }
-    return text;
+    return text.finish();
+}
+
+std::string trackTum(const AnalysisRecord &analysis)
+{
+    return wholeText([&](const TextSink &sink) { return writeTrackTum(analysis, sink); });
 }
 
 std::string trackerName(std::string name)
@@ -67,17 +72,23 @@ std::string trackerName(std::string name)
     return name;
 }
 
-std::string trackTracker(const AnalysisRecord &analysis)
+Result<void> writeTrackTracker(const AnalysisRecord &analysis, const TextSink &sink)
 {
-    std::string text = trackerName(analysis.robotName) + "\nt\tx\ty\n";
+    TextPieces text(sink);
+    text.add(trackerName(analysis.robotName) + "\nt\tx\ty\n");
     const Profile &profile = analysis.profile;
     for (std::size_t i = 0; i < profile.points.size(); ++i) {
         const ProfilePoint &point = profile.points[i];
-        text += javaNumber(secondsOf(profile.samples[i]));
-        text += isUsable(point) ? '\t' + javaNumber(point.position.x()) + '\t' + javaNumber(point.position.y()) : "\t\t";
-        text += '\n';
+        text.add(javaNumber(secondsOf(profile.samples[i])));
+        text.add(isUsable(point) ? '\t' + javaNumber(point.position.x()) + '\t' + javaNumber(point.position.y()) : "\t\t");
+        text.add("\n");
     }
-    return text;
+    return text.finish();
+}
+
+std::string trackTracker(const AnalysisRecord &analysis)
+{
+    return wholeText([&](const TextSink &sink) { return writeTrackTracker(analysis, sink); });
 }
 
 } // namespace odo

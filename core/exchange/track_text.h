@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/exchange/text_sink.h"
 #include "core/project/records.h"
 
 #include <string>
@@ -14,6 +15,7 @@ namespace odo {
 /// = 0 and a rotation about Z only: the direction of motion, kept while the robot is slower than three σ of
 /// its speed.
 std::string trackTum(const AnalysisRecord &analysis);
+Result<void> writeTrackTum(const AnalysisRecord &analysis, const TextSink &sink);
 
 /// A robot's name as trackTracker writes it: one word that Tracker takes neither for a number nor for a remark.
 std::string trackerName(std::string name);
@@ -21,5 +23,6 @@ std::string trackerName(std::string name);
 /// Text that Tracker (Open Source Physics) imports as a data track: the robot's name, then t, x and y parted by tabs; a line for each
 /// frame, with blank cells where nothing is known, and no delimiter at the end of a line, which Tracker would take for one column more.
 std::string trackTracker(const AnalysisRecord &analysis);
+Result<void> writeTrackTracker(const AnalysisRecord &analysis, const TextSink &sink);
 
 } // namespace odo

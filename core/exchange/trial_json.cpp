@@ -7,6 +7,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QLocale>
 
 namespace odo {
 
@@ -147,84 +148,122 @@ QJsonArray spikesOf(const Profile &profile)
     return spikes;
 }
 
+/// A column of the curves: "name":[1,null,2], of so many values as `value(i)` gives.
+template <class Value>
+void addColumn(TextPieces &text, const char *name, std::size_t count, const Value &value)
+{
+    text.add(std::string(",\n\"") + name + "\": [");
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i > 0)
+            text.add(",");
+        const std::optional<double> number = value(i);
+        text.add(number && std::isfinite(*number) ? QByteArray::number(*number, 'g', QLocale::FloatingPointShortest).toStdString() : "null");
+    }
+    text.add("]");
+}
+
 /// Direction of motion without steps of a whole turn (also while the robot stands, then without σ), and turn
 /// rate; SI units.
-void addHeadings(QJsonObject &columns, const Profile &profile)
+void addHeadings(TextPieces &text, const Profile &profile)
 {
-    QJsonArray headings, sigmas, turnRates, turnRateSigmas;
-    const auto headingSeries = headingsOf(profile.points);
-    for (std::size_t i = 0; i < profile.points.size(); ++i) {
-        const auto &heading = headingSeries[i];
+    using Number = std::optional<double>;
+    const auto headings = headingsOf(profile.points);
+    const std::size_t count = profile.points.size();
+    addColumn(text, "heading_rad", count, [&](std::size_t i) { return headings[i] ? Number(headings[i]->radians) : std::nullopt; });
+    addColumn(text, "sigma_heading_rad", count, [&](std::size_t i) { return headings[i] ? headings[i]->sigmaRad : std::nullopt; });
+    addColumn(text, "turn_rate_rad_s", count, [&](std::size_t i) {
         const auto course = courseOf(profile.points[i]);
-        headings.append(heading ? numberOrNull(heading->radians) : QJsonValue());
-        sigmas.append(heading && heading->sigmaRad ? numberOrNull(*heading->sigmaRad) : QJsonValue());
-        turnRates.append(course ? numberOrNull(course->turnRateRadps) : QJsonValue());
-        turnRateSigmas.append(course ? numberOrNull(course->sigmaTurnRateRadps) : QJsonValue());
-    }
-    columns.insert(QStringLiteral("heading_rad"), headings);
-    columns.insert(QStringLiteral("sigma_heading_rad"), sigmas);
-    columns.insert(QStringLiteral("turn_rate_rad_s"), turnRates);
-    columns.insert(QStringLiteral("sigma_turn_rate_rad_s"), turnRateSigmas);
+        return course ? Number(course->turnRateRadps) : std::nullopt;
+    });
+    addColumn(text, "sigma_turn_rate_rad_s", count, [&](std::size_t i) {
+        const auto course = courseOf(profile.points[i]);
+        return course ? Number(course->sigmaTurnRateRadps) : std::nullopt;
+    });
 }
 
-/// The curves, one array a column; SI units.
-QJsonObject columnsOf(const Profile &profile)
+/// The curves, one array a column; SI units. They may be long, so that they are written as they are made.
+void addColumns(TextPieces &text, const Profile &profile)
 {
-    QJsonArray times, flags;
-    for (const Sample &sample : profile.samples) {
-        times.append(static_cast<double>(sample.time.count()) / 1e9);
-        flags.append(flagsOf(sample.flags));
+    using Number = std::optional<double>;
+    const std::size_t count = profile.points.size();
+    text.add("{\n\"flags\": [");
+    for (std::size_t i = 0; i < profile.samples.size(); ++i) {
+        if (i > 0)
+            text.add(",");
+        const SampleFlags flags = profile.samples[i].flags;
+        text.add(flags == 0 ? "[]" : QJsonDocument(flagsOf(flags)).toJson(QJsonDocument::Compact).toStdString());
     }
-    QJsonObject columns{{QStringLiteral("t_s"), times}, {QStringLiteral("flags"), flags}};
-    const auto addCurve = [&](const QString &name, auto value) {
-        QJsonArray numbers;
-        for (const ProfilePoint &point : profile.points)
-            numbers.append(point.valid ? numberOrNull(value(point)) : QJsonValue());
-        columns.insert(name, numbers);
+    text.add("]");
+    addColumn(text, "t_s", count, [&](std::size_t i) { return Number(static_cast<double>(profile.samples[i].time.count()) / 1e9); });
+    const auto addCurve = [&](const char *name, auto value) {
+        addColumn(text, name, count, [&](std::size_t i) { return profile.points[i].valid ? Number(value(profile.points[i])) : std::nullopt; });
     };
-    addCurve(QStringLiteral("x_m"), [](const ProfilePoint &p) { return p.position.x(); });
-    addCurve(QStringLiteral("y_m"), [](const ProfilePoint &p) { return p.position.y(); });
-    addCurve(QStringLiteral("vx_m_s"), [](const ProfilePoint &p) { return p.velocity.x(); });
-    addCurve(QStringLiteral("vy_m_s"), [](const ProfilePoint &p) { return p.velocity.y(); });
-    addCurve(QStringLiteral("ax_m_s2"), [](const ProfilePoint &p) { return p.acceleration.x(); });
-    addCurve(QStringLiteral("ay_m_s2"), [](const ProfilePoint &p) { return p.acceleration.y(); });
-    addCurve(QStringLiteral("speed_m_s"), [](const ProfilePoint &p) { return p.speedMps; });
-    addCurve(QStringLiteral("accel_m_s2"), [](const ProfilePoint &p) { return p.accelMps2; });
-    addCurve(QStringLiteral("sigma_x_m"), [](const ProfilePoint &p) { return p.sigmaXM; });
-    addCurve(QStringLiteral("sigma_y_m"), [](const ProfilePoint &p) { return p.sigmaYM; });
-    addCurve(QStringLiteral("sigma_speed_m_s"), [](const ProfilePoint &p) { return p.sigmaSpeedMps; });
-    addCurve(QStringLiteral("sigma_accel_m_s2"), [](const ProfilePoint &p) { return p.sigmaAccelMps2; });
-    addHeadings(columns, profile);
-    for (int axis : {0, 1}) {
-        QJsonArray numbers;
-        for (const Sample &sample : profile.samples)
-            numbers.append(sample.position ? numberOrNull((*sample.position)[axis]) : QJsonValue());
-        columns.insert(axis == 0 ? QStringLiteral("raw_x_m") : QStringLiteral("raw_y_m"), numbers);
-    }
-    return columns;
+    addCurve("x_m", [](const ProfilePoint &p) { return p.position.x(); });
+    addCurve("y_m", [](const ProfilePoint &p) { return p.position.y(); });
+    addCurve("vx_m_s", [](const ProfilePoint &p) { return p.velocity.x(); });
+    addCurve("vy_m_s", [](const ProfilePoint &p) { return p.velocity.y(); });
+    addCurve("ax_m_s2", [](const ProfilePoint &p) { return p.acceleration.x(); });
+    addCurve("ay_m_s2", [](const ProfilePoint &p) { return p.acceleration.y(); });
+    addCurve("speed_m_s", [](const ProfilePoint &p) { return p.speedMps; });
+    addCurve("accel_m_s2", [](const ProfilePoint &p) { return p.accelMps2; });
+    addCurve("sigma_x_m", [](const ProfilePoint &p) { return p.sigmaXM; });
+    addCurve("sigma_y_m", [](const ProfilePoint &p) { return p.sigmaYM; });
+    addCurve("sigma_speed_m_s", [](const ProfilePoint &p) { return p.sigmaSpeedMps; });
+    addCurve("sigma_accel_m_s2", [](const ProfilePoint &p) { return p.sigmaAccelMps2; });
+    addHeadings(text, profile);
+    for (int axis : {0, 1})
+        addColumn(text, axis == 0 ? "raw_x_m" : "raw_y_m", count,
+                  [&](std::size_t i) { return profile.samples[i].position ? Number((*profile.samples[i].position)[axis]) : std::nullopt; });
+    text.add("\n}");
 }
 
-} // namespace
+/// Where the columns of a robot belong in the document; a name of a user cannot be that, for it has a control character.
+QString columnsMark(std::size_t robot) { return QStringLiteral("\u0001columns %1").arg(robot); }
 
-std::string trialJson(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings,
-                      const std::vector<AnalysisRecord> &analyses, const std::vector<ImportedTrack> &imported)
+QByteArray withoutColumns(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings,
+                          std::span<const AnalysisRecord> analyses, const std::vector<ImportedTrack> &imported)
 {
     QJsonArray views, robots;
     for (const RecordingRecord &recording : recordings)
         views.append(viewObject(recording));
-    for (const AnalysisRecord &analysis : analyses)
-        robots.append(QJsonObject{{QStringLiteral("name"), qtText(analysis.robotName)},
-                                  {QStringLiteral("analysis"), provenanceObject(analysis, imported)},
-                                  {QStringLiteral("metrics"), metricsOf(analysis.profile)},
-                                  {QStringLiteral("gates"), gatesOf(analysis.profile)},
-                                  {QStringLiteral("spikes"), spikesOf(analysis.profile)},
-                                  {QStringLiteral("columns"), columnsOf(analysis.profile)}});
+    for (std::size_t i = 0; i < analyses.size(); ++i)
+        robots.append(QJsonObject{{QStringLiteral("name"), qtText(analyses[i].robotName)},
+                                  {QStringLiteral("analysis"), provenanceObject(analyses[i], imported)},
+                                  {QStringLiteral("metrics"), metricsOf(analyses[i].profile)},
+                                  {QStringLiteral("gates"), gatesOf(analyses[i].profile)},
+                                  {QStringLiteral("spikes"), spikesOf(analyses[i].profile)},
+                                  {QStringLiteral("columns"), columnsMark(i)}});
     const QJsonObject document{{QStringLiteral("schema"), QStringLiteral("odograph.trial")},
                                {QStringLiteral("version"), schemaVersion},
                                {QStringLiteral("trial"), trialObject(trial)},
                                {QStringLiteral("views"), views},
                                {QStringLiteral("robots"), robots}};
-    return QJsonDocument(document).toJson(QJsonDocument::Indented).toStdString();
+    return QJsonDocument(document).toJson(QJsonDocument::Indented);
+}
+
+} // namespace
+
+Result<void> writeTrialJson(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings,
+                            std::span<const AnalysisRecord> analyses, const std::vector<ImportedTrack> &imported, const TextSink &sink)
+{
+    const std::string document = withoutColumns(trial, recordings, analyses, imported).toStdString();
+    TextPieces text(sink);
+    std::size_t from = 0;
+    for (std::size_t i = 0; i < analyses.size(); ++i) {
+        const std::string mark = "\"\\u0001columns " + std::to_string(i) + '"';
+        const std::size_t at = document.find(mark, from);
+        text.add(std::string_view(document).substr(from, at - from));
+        addColumns(text, analyses[i].profile);
+        from = at + mark.size();
+    }
+    text.add(std::string_view(document).substr(from));
+    return text.finish();
+}
+
+std::string trialJson(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings,
+                      const std::vector<AnalysisRecord> &analyses, const std::vector<ImportedTrack> &imported)
+{
+    return wholeText([&](const TextSink &sink) { return writeTrialJson(trial, recordings, analyses, imported, sink); });
 }
 
 } // namespace odo

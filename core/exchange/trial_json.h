@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/exchange/text_sink.h"
 #include "core/project/records.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,5 +16,8 @@ namespace odo {
 std::string trialJson(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings,
                       const std::vector<AnalysisRecord> &analyses,
                       const std::vector<ImportedTrack> &imported = {});
+/// The same to a sink, with as little in memory as one column's headings.
+Result<void> writeTrialJson(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings,
+                            std::span<const AnalysisRecord> analyses, const std::vector<ImportedTrack> &imported, const TextSink &sink);
 
 } // namespace odo

@@ -59,14 +59,28 @@ Result<void> OutputFile::commit()
     }
 }
 
+Result<void> writeOutput(const OutputTarget &target, const std::function<Result<void>(const OutputSink &)> &write)
+{
+    std::unique_ptr<OutputFile> output;
+    const OutputSink sink = [&](std::string_view piece) -> Result<void> {
+        if (!output) {
+            auto opened = OutputFile::open(target, kindOf(piece));
+            if (!opened)
+                return tl::unexpected(opened.error());
+            output = std::move(*opened);
+        }
+        return output->write(piece);
+    };
+    if (auto written = write(sink); !written)
+        return written;
+    if (auto ended = sink({}); !ended) // so that there is a file where there was no piece
+        return ended;
+    return output->commit();
+}
+
 Result<void> writeOutput(const OutputTarget &target, std::string_view bytes)
 {
-    const auto output = OutputFile::open(target, kindOf(bytes));
-    if (!output)
-        return tl::unexpected(output.error());
-    if (auto written = (*output)->write(bytes); !written)
-        return written;
-    return (*output)->commit();
+    return writeOutput(target, [bytes](const OutputSink &sink) { return sink(bytes); });
 }
 
 } // namespace odo

@@ -4,6 +4,7 @@
 #include "core/files/output_guard.h"
 #include "core/files/temporary.h"
 
+#include <functional>
 #include <memory>
 #include <string_view>
 
@@ -35,6 +36,12 @@ private:
     std::unique_ptr<TemporaryFile> m_temporary;
 };
 
+/// Takes the next piece of what is written.
+using OutputSink = std::function<Result<void>(std::string_view piece)>;
+
+/// Writes all that `write` gives to the sink, piece by piece. The kind is that of the first piece. What `write` gives as an error is passed
+/// on, and nothing is written.
+Result<void> writeOutput(const OutputTarget &target, const std::function<Result<void>(const OutputSink &)> &write);
 /// Writes all of it. The kind is that of the bytes.
 Result<void> writeOutput(const OutputTarget &target, std::string_view bytes);
 

@@ -74,7 +74,11 @@ private:
     };
     void report(const std::string &what, const std::string &advice) { m_problems.push_back({what, m_where, advice}); }
     void report(const Error &error, const std::string &advice) { report(error.what + ": " + error.why, advice); }
-    Result<bool> compareDigests(const Newest &newest);
+    struct Proved
+    {
+        std::set<RecordId> measured, analysed; ///< robots
+    };
+    Result<void> compareDigests(const Newest &newest, Proved &proved);
     void lookAtMeasurements(const TrialName &trial);
     void lookAtObservations(const RecordingRecord &recording, RecordId robot);
     void lookAtMetrics(const TrialName &trial);
@@ -89,7 +93,7 @@ private:
     std::map<RecordId, std::vector<Measured>> m_measured; ///< by trial
     std::map<RecordId, std::string> m_robotNames;
     std::map<RecordId, TaskRecord> m_tasks;
-    std::set<RecordId> m_changed; ///< analyses of the trial that differ from their digests
+    std::set<RecordId> m_changed; ///< analyses of the trial whose results differ from their digests
     std::string m_where;
 };
 
@@ -121,35 +125,37 @@ Result<void> AnalysisCheck::prepare()
     return {};
 }
 
-/// Whether the digests are there and all right.
-Result<bool> AnalysisCheck::compareDigests(const Newest &newest)
+Result<void> AnalysisCheck::compareDigests(const Newest &newest, Proved &proved)
 {
     const auto outcome = m_digests.compare(newest.analysis, allDigestParts);
     if (!outcome)
         return tl::unexpected(outcome.error());
     for (const DigestPart part : outcome->changed)
         report(wordsOf(part, newest.robotName), "restore the project from a backup copy, or " + trackAgain);
-    if (!outcome->changed.empty())
+    if (!outcome->isKept)
+        return {};
+    const auto holds = [&](DigestPart part) { return std::ranges::find(outcome->changed, part) == outcome->changed.end(); };
+    if (holds(DigestPart::Measurements))
+        proved.measured.insert(newest.robot);
+    if (std::ranges::all_of(shownDigestParts, holds))
+        proved.analysed.insert(newest.robot);
+    else
         m_changed.insert(newest.analysis);
-    return outcome->isKept && outcome->changed.empty();
+    return {};
 }
 
 Result<void> AnalysisCheck::look(const TrialName &trial)
 {
     m_where = "trial '" + trial.name + "'";
     m_changed.clear();
-    std::set<RecordId> proved; // robots
+    Proved proved;
     for (const Newest &newest : m_newest[trial.id]) {
-        const auto isProved = compareDigests(newest);
-        if (!isProved)
-            return tl::unexpected(isProved.error());
-        if (*isProved)
-            proved.insert(newest.robot);
+        if (auto compared = compareDigests(newest, proved); !compared)
+            return compared;
     }
-    const auto isProved = [&](const auto &one) { return proved.contains(one.robot); };
-    if (m_isThorough || !std::ranges::all_of(m_measured[trial.id], isProved))
+    if (m_isThorough || !std::ranges::all_of(m_measured[trial.id], [&](const Measured &one) { return proved.measured.contains(one.robot); }))
         lookAtMeasurements(trial);
-    if (m_isThorough || !std::ranges::all_of(m_newest[trial.id], isProved))
+    if (m_isThorough || !std::ranges::all_of(m_newest[trial.id], [&](const Newest &one) { return proved.analysed.contains(one.robot); }))
         lookAtMetrics(trial);
     return {};
 }

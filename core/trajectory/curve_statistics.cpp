@@ -41,7 +41,7 @@ namespace {
 /// An instant's value with the time that it stands for.
 struct Weighted
 {
-    double value = 0, sigma = 0, seconds = 0;
+    double value = 0, seconds = 0;
 };
 
 /// Sorts the values.
@@ -80,7 +80,7 @@ Figure percentile(const std::vector<RunInstant> &instants, const std::vector<Mot
             const double from = instants[i == motion.first ? i : i - 1].timeS;
             const double to = instants[i == motion.last ? i : i + 1].timeS;
             const ProfilePoint &point = *instants[i].point;
-            values.push_back({point.*curve.value, point.*curve.sigma, (to - from) / 2});
+            values.push_back({point.*curve.value, (to - from) / 2});
         }
     }
     if (values.empty())
@@ -105,11 +105,15 @@ Figure percentile(const std::vector<RunInstant> &instants, const std::vector<Mot
     }
     if (seconds > 0)
         return {value, std::sqrt(variance) / seconds};
-    const auto nearest =
-        std::min_element(values.begin(), values.end(), [&](const Weighted &a, const Weighted &b) {
-            return std::abs(a.value - value) < std::abs(b.value - value);
-        });
-    return {value, nearest->sigma};
+    const ProfilePoint *nearest = instants[motions.front().first].point;
+    for (const MotionStretch &motion : motions) {
+        for (std::size_t i = motion.first; i <= motion.last; ++i) {
+            const ProfilePoint &point = *instants[i].point;
+            if (std::abs(point.*curve.value - value) < std::abs(nearest->*curve.value - value))
+                nearest = &point;
+        }
+    }
+    return {value, nearest->*curve.sigma};
 }
 
 const RunInstant &largest(const std::vector<RunInstant> &instants, Curve curve)

@@ -229,6 +229,14 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         const std::filesystem::path file = folder.filePath(QString::fromUtf8("Läufe.csv")).toStdString();
         QVERIFY(writeOutput(file, "old").has_value());
+        // What ends half way leaves the old file.
+        const auto ended = writeOutput(file, [](const TextSink &sink) -> Result<void> {
+            if (auto written = sink("half"); !written)
+                return written;
+            return cancelled("export");
+        });
+        QCOMPARE(ended.error().code, ErrorCode::Cancelled);
+        QCOMPARE(readTextFile(file).value(), std::string("old"));
         QVERIFY(writeOutput(file, "new").has_value());
         QCOMPARE(*readTextFile(file, 100), std::string("new"));
         QVERIFY(!writeOutput(file / "below a file", "x").has_value());

@@ -141,7 +141,7 @@ private Q_SLOTS:
             many += ",x,y";
         for (int line = 0; line <= 4000; ++line)
             many += '\n' + QByteArray::number(line) + QByteArray(2000, ',');
-        row("blank places without end", many, ":4002: the file has more than four million places; check that all lines are of one run");
+        row("blank places without end", many, ":1502: the file has more than 1.5 million places; check that all lines are of one run");
         row("half a place", csv + "1,,2\n", ":3: one of its two places is blank; fill in both or none");
         row("backwards", csv + "2,1,2\n1,1,2\n", (std::string(":4: its time is before that of the line before") + order).c_str());
         row("twice", csv + "1,1,2\n1,1,2\n", (std::string(":4: its time is that of the line before") + order).c_str());

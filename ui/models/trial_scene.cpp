@@ -68,8 +68,9 @@ Result<void> loadViews(Project &project, const std::vector<AnalysisRecord> &anal
     return {};
 }
 
+/// Takes its analysis out of them.
 Result<SceneRobot> loadRobot(Project &project, const TrialScene &scene, RecordId id,
-                             const std::vector<AnalysisRecord> &analyses)
+                             std::vector<AnalysisRecord> &analyses)
 {
     auto robot = project.robots().get(id);
     if (!robot)
@@ -79,7 +80,7 @@ Result<SceneRobot> loadRobot(Project &project, const TrialScene &scene, RecordId
     const auto analysis = std::find_if(analyses.begin(), analyses.end(),
                                        [id](const AnalysisRecord &each) { return each.robot == id; });
     if (analysis != analyses.end())
-        result.analysis = *analysis;
+        result.analysis = std::move(*analysis);
     for (const SceneView &view : scene.views) {
         auto series = project.trials().currentObservations(view.recording.id, id);
         if (!series)
