@@ -142,7 +142,7 @@ public:
                                              : cannotBeWritten(m_problem);
         if (const char *reason = reasonOfName())
             return refused(reason);
-        if (const auto project = projectOfMedia(); !project.empty() && !m_target.isOwnMedia)
+        if (const auto project = m_target.isOwnMedia ? std::filesystem::path() : projectOfMedia(); !project.empty())
             return refused("it is in the media folder of project '" + project.filename().string() + "'");
         OutputPlace place{m_path.real, m_exists, FileKind::Empty, m_status.st_mode & 0777U};
         if (!m_exists)
@@ -210,7 +210,9 @@ private:
             project = projectBeside(folder);
             return !project.empty();
         };
-        anyFolderAbove(m_path.real, look) || std::ranges::any_of(m_path.named, [&](const auto &name) { return anyFolderAbove(name, look); });
+        if (!anyFolderAbove(m_path.real, look))
+            for (auto name = m_path.named.begin(); name != m_path.named.end() && !anyFolderAbove(*name, look);)
+                ++name;
         return project;
     }
 

@@ -51,7 +51,7 @@ Result<void> NewFile::prepare()
     if (!made)
         return tl::unexpected(made.error());
     m_folder = std::move(*made);
-    m_temporary = m_folder->path() / m_target.filename();
+    m_temporary = m_folder->path() / "new.odo"; // short: SQLite takes no paths beyond 512 bytes
     const int descriptor = ::open(m_temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0)
         return ioError(errno);

@@ -21,16 +21,14 @@ class TestOneWay : public QObject
             {QStringLiteral("core/project/new_file.cpp"), QStringLiteral("a database, in a TemporaryFolder")},
             {QStringLiteral("core/video/matroska_time_scale.cpp"), QStringLiteral("the temporary file of an OutputFile")},
             {QStringLiteral("core/video/recording_writer.cpp"), QStringLiteral("recordings, which are new")},
-            {QStringLiteral("core/video/video_writer.cpp"), QStringLiteral("the temporary file of an OutputFile")},
-            {QStringLiteral("ui/report/pdf_file.cpp"), QStringLiteral("the descriptor of an OutputFile")}};
+            {QStringLiteral("core/video/video_writer.cpp"), QStringLiteral("the temporary file of an OutputFile")}};
         return all;
     }
 
 private Q_SLOTS:
     void noOtherSourceOpensFilesToWrite()
     {
-        static const QRegularExpression opens(QStringLiteral("std::(o|)fstream|QSaveFile|O_CREAT|AVIO_FLAG_WRITE|\\bfopen\\(|\\bQPdfWriter \\w+\\(Q|setOutputFileName|QImageWriter|"
-                                                             "m_file\\.open\\([^)]*WriteOnly|\\bQFile \\w+[^;]*;\\s*[^;]*WriteOnly"));
+        static const QRegularExpression opens(QStringLiteral("std::(o|)fstream|QSaveFile|O_CREAT|AVIO_FLAG_WRITE|\\bfopen\\(|\\bQPdfWriter \\w+\\(Q|setOutputFileName|QImageWriter|\\bQFile \\w+[^;]*;\\s*[^;]*WriteOnly"));
         const QString root = qEnvironmentVariable("ODOGRAPH_SOURCE_DIR");
         QStringList found;
         int count = 0;
@@ -49,7 +47,7 @@ private Q_SLOTS:
         found.sort();
         QStringList allowed = known().keys();
         allowed.sort();
-        QCOMPARE(found, allowed);
+        QCOMPARE(found.join(u'\n'), allowed.join(u'\n'));
     }
 };
 

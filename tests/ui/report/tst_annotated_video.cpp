@@ -271,7 +271,7 @@ private Q_SLOTS:
 
     void aCancelLeavesWhatWasThere()
     {
-        std::ofstream(file()) << "an older video";
+        std::ofstream(file()) << "....ftyp an older video";
         AnnotatedVideoJob job("Trial 1", settings());
         const CancelToken cancel;
         const auto made = runToEnd(job, *m_project, {cancel, [&cancel](double fraction, const std::string &) {
@@ -281,7 +281,7 @@ private Q_SLOTS:
         QVERIFY(!made);
         QCOMPARE(made.error().code, ErrorCode::Cancelled);
         QCOMPARE(left(), QStringList{QStringLiteral("run.mp4")});
-        QCOMPARE(read(file()), std::string("an older video"));
+        QCOMPARE(read(file()), std::string("....ftyp an older video"));
     }
     void aFullDiskIsSaid()
     {

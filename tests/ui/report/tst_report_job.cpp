@@ -71,12 +71,12 @@ private Q_SLOTS:
         const QString file = path("old.pdf");
         QFile old(file);
         QVERIFY(old.open(QIODevice::WriteOnly));
-        old.write("as it was");
+        old.write("%PDF- as it was");
         old.close();
         const auto written = write(trialReports({"Trial 1", "Trial 9"}, {}), file);
         QCOMPARE(written.error().code, ErrorCode::NotFound);
         QVERIFY(old.open(QIODevice::ReadOnly));
-        QCOMPARE(old.readAll(), QByteArray("as it was"));
+        QCOMPARE(old.readAll(), QByteArray("%PDF- as it was"));
         QCOMPARE(filesLike(QStringLiteral("old*")), QStringList(QStringLiteral("old.pdf")));
     }
     void aCancelledReportLeavesNothing()
