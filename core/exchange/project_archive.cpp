@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/project_archive.h"
 
-#include "core/base/claimed_folder.h"
 #include "core/project/new_file.h"
 
 #include <archive.h>
@@ -12,8 +11,9 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
+#include <new>
 #include <memory>
-#include <optional>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace odo {
@@ -134,10 +134,21 @@ class Reader
 {
 public:
     Reader(std::filesystem::path file, std::filesystem::path folder)
-        : m_file(std::move(file)), m_folder(std::move(folder)), m_archive(archive_read_new())
+        : m_file(std::move(file)), m_folder(std::move(folder)), m_part(m_folder.string() + ".part-XXXXXX"),
+          m_archive(archive_read_new())
     {
     }
-    ~Reader() { archive_read_free(m_archive); }
+    ~Reader()
+    {
+        archive_read_free(m_archive);
+        if (!m_made)
+            return;
+        try {
+            std::error_code ignored;
+            std::filesystem::remove_all(m_part, ignored); // not there any more once it was published
+        } catch (const std::bad_alloc &) { // it stays, under a name that says what it is
+        }
+    }
     Reader(const Reader &) = delete;
     Reader &operator=(const Reader &) = delete;
 
@@ -153,12 +164,14 @@ public:
         m_archiveBytes = std::filesystem::file_size(m_file, problem);
         if (problem)
             m_archiveBytes = 0;
-        const std::filesystem::path parent = std::filesystem::absolute(m_folder).parent_path();
-        std::filesystem::create_directories(parent, problem);
-        auto part = ClaimedFolder::make(parent, m_folder.filename().string() + ".part");
-        if (!part)
-            return failure(part.error().message());
-        m_part.emplace(std::move(*part));
+        std::filesystem::create_directories(std::filesystem::absolute(m_part).parent_path(), problem);
+        // A name that nobody has, so that what a killed attempt left behind is in nobody's way.
+        std::string name = m_part.string();
+        m_made = ::mkdtemp(name.data()) != nullptr;
+        if (!m_made)
+            return failure(std::strerror(errno));
+        m_part = name;
+        ::chmod(m_part.c_str(), 0755); // as any folder
         return {};
     }
 
@@ -181,7 +194,9 @@ public:
 
     Result<std::filesystem::path> publish()
     {
-        if (const std::error_code problem = m_part->publish(m_folder))
+        std::error_code problem;
+        std::filesystem::rename(m_part, m_folder, problem);
+        if (problem)
             return failure(problem.message());
         return m_folder / m_project;
     }
@@ -196,7 +211,7 @@ private:
             return refuse('\'' + name.string() + "' does not belong into a packed project");
         if (m_project.empty())
             m_project = name;
-        const std::filesystem::path target = m_part->path() / name;
+        const std::filesystem::path target = m_part / name;
         std::error_code problem;
         std::filesystem::create_directories(target.parent_path(), problem);
         const int descriptor =
@@ -260,8 +275,9 @@ private:
     }
 
     const std::filesystem::path m_file, m_folder;
-    std::optional<ClaimedFolder> m_part; ///< what is read, until it is whole
+    std::filesystem::path m_part;
     archive *const m_archive;
+    bool m_made = false;
     std::filesystem::path m_project;
     std::uintmax_t m_archiveBytes = 0, m_unpackedBytes = 0;
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/demo.h"
 
-#include "core/base/claimed_folder.h"
 #include "core/base/shortage.h"
 #include "core/exchange/layout_csv.h"
 #include "core/project/project.h"
@@ -27,6 +26,22 @@ namespace fs = std::filesystem;
 constexpr const char *className = "Year 9 robotics";
 constexpr int boardPictures = 14;
 constexpr double boardNoise = 1.5; // of 255
+
+/// A folder for what is in the making, removed again unless its content was moved to its place.
+class Staging
+{
+public:
+    explicit Staging(fs::path folder) : m_folder(std::move(folder)) {}
+    ~Staging()
+    {
+        std::error_code ignored;
+        fs::remove_all(m_folder, ignored);
+    }
+    const fs::path &folder() const { return m_folder; }
+
+private:
+    fs::path m_folder;
+};
 
 /// One part of the whole job's progress.
 JobControl part(const JobControl &whole, double from, double to)
@@ -235,41 +250,12 @@ Result<void> buildIn(const fs::path &folder, const JobControl &control)
     return DemoMaker(folder, **project, control).make();
 }
 
-constexpr std::array<const char *, 4> parts = {"demo.media", "calibration", "truth", "demo.odo"};
-
-/// All of it, or nothing. The first is a folder, which takes nobody else's place: of two demos made at once one fails there.
-std::error_code moveParts(const fs::path &from, const fs::path &to)
-{
-    std::error_code problem, ignored;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        fs::rename(from / parts[i], to / parts[i], problem);
-        for (std::size_t moved = i; problem && moved > 0; --moved)
-            fs::rename(to / parts[moved - 1], from / parts[moved - 1], ignored);
-        if (problem)
-            break;
-    }
-    return problem;
-}
-
-Result<void> makeIn(const fs::path &folder, const std::string &what, const JobControl &control)
-{
-    const auto failed = [&](const std::error_code &problem) {
-        return fail(ErrorCode::Io, what, problem.message(), "choose a folder you can write to, with 300 MB free");
-    };
-    const auto staging = ClaimedFolder::make(folder, ".demo");
-    if (!staging)
-        return failed(staging.error());
-    if (auto built = buildIn(staging->path(), control); !built)
-        return built;
-    const std::error_code problem = moveParts(staging->path(), folder);
-    return problem ? failed(problem) : Result<void>();
-}
-
 } // namespace
 
 Result<fs::path> makeDemo(const fs::path &folder, const JobControl &control)
 {
     const std::string what = "demo in '" + folder.string() + "'";
+    static constexpr std::array<const char *, 4> parts = {"demo.media", "calibration", "truth", "demo.odo"};
     for (const char *name : parts) {
         if (fs::exists(folder / name))
             return fail(ErrorCode::AlreadyExists, what, std::string(name) + " is there already",
@@ -277,11 +263,17 @@ Result<fs::path> makeDemo(const fs::path &folder, const JobControl &control)
     }
     try {
         const bool folderIsNew = fs::create_directories(folder);
-        if (auto made = makeIn(folder, what, control); !made) {
-            std::error_code ignored;
-            if (folderIsNew)
-                fs::remove(folder, ignored); // only when empty
-            return tl::unexpected(made.error());
+        {
+            const Staging staging(folder / ".demo-in-the-making");
+            fs::remove_all(staging.folder()); // of an earlier attempt that was killed
+            fs::create_directory(staging.folder());
+            if (auto built = buildIn(staging.folder(), control); !built) {
+                if (folderIsNew)
+                    fs::remove_all(folder);
+                return tl::unexpected(built.error());
+            }
+            for (const char *name : parts)
+                fs::rename(staging.folder() / name, folder / name);
         }
         return folder / "demo.odo";
     } catch (const fs::filesystem_error &problem) {

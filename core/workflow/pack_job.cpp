@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/pack_job.h"
 
-#include "core/base/claimed_folder.h"
 #include "core/base/folder_names.h"
 #include "core/project/own_media.h"
 #include "core/project/project.h"
@@ -9,6 +8,7 @@
 #include "core/project/repositories.h"
 #include "core/video/video_input.h"
 
+#include <QTemporaryDir>
 #include <map>
 #include <set>
 
@@ -154,11 +154,12 @@ Result<void> PackJob::copyProject(const std::filesystem::path &copy, std::vector
 Result<void> PackJob::run(const JobControl &control)
 {
     // Beside the archive: there is room for it, or there is none at all.
-    const auto work = ClaimedFolder::make(m_archive.parent_path(), ".pack");
-    if (!work)
-        return fail(ErrorCode::Io, "cannot write '" + m_archive.string() + "'", work.error().message(),
-                    "check the free space and the rights of its folder");
-    const std::filesystem::path copy = work->path() / m_project.filename();
+    const QTemporaryDir work(QString::fromStdString((m_archive.parent_path() / ".pack-XXXXXX").string()));
+    if (!work.isValid())
+        return fail(ErrorCode::Io, "cannot write '" + m_archive.string() + "'",
+                    work.errorString().toStdString(), "check the free space and the rights of its folder");
+    const std::filesystem::path copy =
+        std::filesystem::path(work.path().toStdString()) / m_project.filename();
     std::vector<ArchiveEntry> entries;
     control.report(0, "copying the project");
     if (auto copied = copyProject(copy, entries, control); !copied)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/claimed_file.h"
-#include "core/base/claimed_folder.h"
 
 #include <QDir>
 #include <QFile>
@@ -9,7 +8,6 @@
 #include <fcntl.h>
 #include <set>
 #include <sys/file.h>
-#include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 
@@ -133,40 +131,6 @@ private Q_SLOTS:
         QVERIFY(ClaimedFile::create(path(), std::string(300, 'x'), ".mkv").error() == std::errc::filename_too_long);
     }
 
-    /// Of a program that was killed; what a living one makes stays, and so does what only begins alike.
-    void aFolderThatBelongsToNobodyIsSwept()
-    {
-        const pid_t child = ::fork();
-        if (child == 0) {
-            const auto made = ClaimedFolder::make(path(), ".demo");
-            ::_exit(made && std::filesystem::create_directory(made->path() / "videos") ? 0 : 1);
-        }
-        int status = -1;
-        QCOMPARE(::waitpid(child, &status, 0), child);
-        QCOMPARE(status, 0);
-        QCOMPARE(folders().size(), 1);
-        const QString left = folders().first();
-        std::filesystem::create_directory(path(".demo-lessons"));
-        const auto one = ClaimedFolder::make(path(), ".demo"), two = ClaimedFolder::make(path(), ".demo");
-        QVERIFY(one && two && one->path() != two->path());
-        QCOMPARE(folders().size(), 3);
-        QVERIFY(!folders().contains(left));
-        QVERIFY(folders().contains(QStringLiteral(".demo-lessons")));
-    }
-
-    void aFolderGetsItsNameOrGoes()
-    {
-        {
-            auto made = ClaimedFolder::make(path(), "lesson.part");
-            std::filesystem::create_directory(path("lesson"));
-            QVERIFY(made->publish(path("lesson")));
-            std::filesystem::remove(path("lesson"));
-            QVERIFY(!made->publish(path("lesson")));
-            const auto gone = ClaimedFolder::make(path(), "lesson.part");
-        }
-        QCOMPARE(folders(), QStringList({QStringLiteral("lesson")}));
-    }
-
 private:
     std::filesystem::path path(const std::string &name = {}) const
     {
@@ -174,7 +138,6 @@ private:
         return name.empty() ? folder : folder / name;
     }
     QStringList names() const { return QDir(m_folder->path()).entryList(QDir::Files | QDir::Hidden | QDir::System, QDir::Name); }
-    QStringList folders() const { return QDir(m_folder->path()).entryList(QDir::Dirs | QDir::Hidden | QDir::NoDotAndDotDot, QDir::Name); }
     void write(const std::string &name, const QByteArray &bytes) const
     {
         QFile file(QString::fromStdString(path(name).string()));
