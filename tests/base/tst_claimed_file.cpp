@@ -8,7 +8,6 @@
 #include <fcntl.h>
 #include <set>
 #include <sys/file.h>
-#include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 
