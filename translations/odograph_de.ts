@@ -6515,6 +6515,22 @@
         <source>copy it with the files beside it to a folder that you may write to, and open the copy</source>
         <translation>kopieren Sie es mit den Dateien daneben in einen Ordner, in den Sie schreiben dürfen, und öffnen Sie die Kopie</translation>
     </message>
+    <message>
+        <source>analysing position %1</source>
+        <translation>Position %1 wird ausgewertet</translation>
+    </message>
+    <message>
+        <source>check of the project</source>
+        <translation>Prüfung des Projekts</translation>
+    </message>
+    <message>
+        <source>checking the database</source>
+        <translation>die Datenbank wird geprüft</translation>
+    </message>
+    <message>
+        <source>checking %1</source>
+        <translation>%1 wird geprüft</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

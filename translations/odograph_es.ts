@@ -6515,6 +6515,22 @@
         <source>copy it with the files beside it to a folder that you may write to, and open the copy</source>
         <translation>cópielo, con los archivos que están junto a él, a una carpeta en la que pueda escribir y abra la copia</translation>
     </message>
+    <message>
+        <source>analysing position %1</source>
+        <translation>analizando la posición %1</translation>
+    </message>
+    <message>
+        <source>check of the project</source>
+        <translation>comprobación del proyecto</translation>
+    </message>
+    <message>
+        <source>checking the database</source>
+        <translation>comprobando la base de datos</translation>
+    </message>
+    <message>
+        <source>checking %1</source>
+        <translation>comprobando %1</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

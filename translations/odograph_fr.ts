@@ -6515,6 +6515,22 @@
         <source>copy it with the files beside it to a folder that you may write to, and open the copy</source>
         <translation>copiez-le avec les fichiers voisins dans un dossier où vous pouvez écrire, et ouvrez la copie</translation>
     </message>
+    <message>
+        <source>analysing position %1</source>
+        <translation>analyse de la position %1</translation>
+    </message>
+    <message>
+        <source>check of the project</source>
+        <translation>vérification du projet</translation>
+    </message>
+    <message>
+        <source>checking the database</source>
+        <translation>vérification de la base de données</translation>
+    </message>
+    <message>
+        <source>checking %1</source>
+        <translation>vérification de %1</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

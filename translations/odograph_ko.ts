@@ -6513,6 +6513,22 @@
         <source>copy it with the files beside it to a folder that you may write to, and open the copy</source>
         <translation>옆에 있는 파일과 함께 쓸 수 있는 폴더로 복사한 뒤 그 사본을 여십시오</translation>
     </message>
+    <message>
+        <source>analysing position %1</source>
+        <translation>위치 %1 분석 중</translation>
+    </message>
+    <message>
+        <source>check of the project</source>
+        <translation>프로젝트 검사</translation>
+    </message>
+    <message>
+        <source>checking the database</source>
+        <translation>데이터베이스 검사 중</translation>
+    </message>
+    <message>
+        <source>checking %1</source>
+        <translation>%1 검사 중</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6513,6 +6513,22 @@
         <source>copy it with the files beside it to a folder that you may write to, and open the copy</source>
         <translation>请将它与旁边的文件一起复制到您可写入的文件夹，然后打开副本</translation>
     </message>
+    <message>
+        <source>analysing position %1</source>
+        <translation>正在分析位置 %1</translation>
+    </message>
+    <message>
+        <source>check of the project</source>
+        <translation>项目检查</translation>
+    </message>
+    <message>
+        <source>checking the database</source>
+        <translation>正在检查数据库</translation>
+    </message>
+    <message>
+        <source>checking %1</source>
+        <translation>正在检查 %1</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>
