@@ -5,6 +5,7 @@
 #include "core/project/limits.h"
 
 #include <QByteArray>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -57,7 +58,7 @@ public:
 
     std::size_t rows() const { return m_rows; }
 
-    /// Real numbers as bounded() gives them.
+    /// Real numbers as bounded() gives them; an infinite uncertainty stays one.
     template <class Value>
     Value take()
     {
@@ -67,7 +68,7 @@ public:
         Value value;
         std::memcpy(&value, bytes, sizeof value);
         if constexpr (std::is_floating_point_v<Value>)
-            return bounded(value);
+            return std::isinf(value) ? value : bounded(value);
         else
             return value;
     }
