@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -62,7 +63,7 @@ public:
 
     std::size_t rows() const { return m_rows; }
 
-    /// Real numbers as bounded() gives them.
+    /// Real numbers as bounded() gives them; an infinite uncertainty stays one.
     template <class Value>
     Value take()
     {
@@ -72,7 +73,7 @@ public:
         Value value;
         std::memcpy(&value, bytes, sizeof value);
         if constexpr (std::is_floating_point_v<Value>)
-            return bounded(value);
+            return std::isinf(value) ? value : bounded(value);
         else
             return value;
     }

@@ -269,16 +269,16 @@ void TestChangeJournal::theOldestAreForgotten()
     const std::filesystem::path file = m_folder->filePath(QStringLiteral("year.odo")).toStdString();
     const auto connection = ProjectConnection::open(file, DatabaseAccess::ReadWrite);
     TrialRepository trials(**connection);
-    ChangeJournal journal(**connection, 100'000);
+    ChangeJournal journal(**connection, 50'000);
     const auto note = [&](char letter) {
         return journal.make(std::string("note ") + letter,
-                            [&] { return trials.setNotes(m_trial, std::string(30'000, letter)); });
+                            [&] { return trials.setNotes(m_trial, std::string(15'000, letter)); });
     };
     for (char letter = 'a'; letter <= 'f'; ++letter)
         QVERIFY(note(letter));
     // A change holds the notes before and after.
     QCOMPARE(journal.undo().value(), std::string("note f"));
-    QCOMPARE(trials.get(m_trial)->notes, std::string(30'000, 'e'));
+    QCOMPARE(trials.get(m_trial)->notes, std::string(15'000, 'e'));
     QCOMPARE(journal.undoWords(), std::string());
 }
 

@@ -165,8 +165,9 @@ private Q_SLOTS:
         run("UPDATE robot SET name=hex(zeroblob(2500000)), height_m=-1e300");
         run("UPDATE marker SET x_m=1e300");
         run("WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 51) INSERT INTO trial_tag SELECT 1, 'tag' || i FROM n");
+        const auto problems = m_project->check(false);
         std::vector<std::string> found;
-        for (const ProjectProblem &problem : *m_project->check(false))
+        for (const ProjectProblem &problem : *problems)
             found.push_back(problem.what);
         QCOMPARE(found, (std::vector<std::string>{"robot.name: texts of more than 200 characters: 1", "marker.x_m: numbers beyond 1000: 4",
                                                   "robot.height_m: numbers beyond 10: 1", "trial_tag: more than 50 of one trial: 51"}));
