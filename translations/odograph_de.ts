@@ -6531,6 +6531,14 @@
         <source>checking %1</source>
         <translation>%1 wird geprüft</translation>
     </message>
+    <message>
+        <source>project &apos;%1&apos; beside it may use them, and cannot be read (%2)</source>
+        <translation>das Projekt „%1“ daneben verwendet sie vielleicht und kann nicht gelesen werden (%2)</translation>
+    </message>
+    <message>
+        <source>open that project, or move it to a folder of its own with its videos</source>
+        <translation>öffnen Sie jenes Projekt, oder verschieben Sie es mit seinen Videos in einen eigenen Ordner</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

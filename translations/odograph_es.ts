@@ -6531,6 +6531,14 @@
         <source>checking %1</source>
         <translation>comprobando %1</translation>
     </message>
+    <message>
+        <source>project &apos;%1&apos; beside it may use them, and cannot be read (%2)</source>
+        <translation>el proyecto «%1» que está junto a él puede usarlos y no se puede leer (%2)</translation>
+    </message>
+    <message>
+        <source>open that project, or move it to a folder of its own with its videos</source>
+        <translation>abra ese proyecto o muévalo con sus vídeos a una carpeta propia</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6531,6 +6531,14 @@
         <source>checking %1</source>
         <translation>vérification de %1</translation>
     </message>
+    <message>
+        <source>project &apos;%1&apos; beside it may use them, and cannot be read (%2)</source>
+        <translation>le projet « %1 » à côté les utilise peut-être et ne peut pas être lu (%2)</translation>
+    </message>
+    <message>
+        <source>open that project, or move it to a folder of its own with its videos</source>
+        <translation>ouvrez ce projet, ou déplacez-le avec ses vidéos dans un dossier à part</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6529,6 +6529,14 @@
         <source>checking %1</source>
         <translation>%1 검사 중</translation>
     </message>
+    <message>
+        <source>project &apos;%1&apos; beside it may use them, and cannot be read (%2)</source>
+        <translation>옆에 있는 프로젝트 &apos;%1&apos;이(가) 이 파일을 쓸 수 있는데 읽을 수 없습니다 (%2)</translation>
+    </message>
+    <message>
+        <source>open that project, or move it to a folder of its own with its videos</source>
+        <translation>그 프로젝트를 열거나 동영상과 함께 별도 폴더로 옮기십시오</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

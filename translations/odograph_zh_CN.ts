@@ -6529,6 +6529,14 @@
         <source>checking %1</source>
         <translation>正在检查 %1</translation>
     </message>
+    <message>
+        <source>project &apos;%1&apos; beside it may use them, and cannot be read (%2)</source>
+        <translation>旁边的项目“%1”可能在使用它们，但无法读取（%2）</translation>
+    </message>
+    <message>
+        <source>open that project, or move it to a folder of its own with its videos</source>
+        <translation>请打开该项目，或将其连同视频移到单独的文件夹</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -2,6 +2,7 @@
 #include "core/project/stray_media.h"
 
 #include "core/base/file_system.h"
+#include "core/files/protected_files.h"
 #include "core/project/held_file.h"
 #include "core/project/recording_lock.h"
 #include "core/project/recording_rows.h"
@@ -20,43 +21,6 @@ namespace odo {
 
 namespace {
 
-/// A file by what it is, not by its name, which a file system may spell in several ways.
-using FileIdentity = std::pair<dev_t, ino_t>;
-
-std::optional<FileIdentity> identityOf(const std::filesystem::path &file)
-{
-    struct stat there
-    {
-    };
-    if (::stat(file.c_str(), &there) != 0)
-        return std::nullopt;
-    return FileIdentity{there.st_dev, there.st_ino};
-}
-
-/// The files that a project refers to, as far as they are there.
-class ReferredFiles
-{
-public:
-    explicit ReferredFiles(const std::filesystem::path &project) : m_project(project) {}
-
-    void add(const std::string &path)
-    {
-        if (path.empty())
-            return;
-        if (const auto identity = identityOf(absolutePath(m_project, path)))
-            m_files.insert(*identity);
-    }
-    bool contains(const std::filesystem::path &file) const
-    {
-        const auto identity = identityOf(file);
-        return identity && m_files.contains(*identity);
-    }
-
-private:
-    const std::filesystem::path m_project;
-    std::set<FileIdentity> m_files;
-};
-
 Result<void> addPictures(Project &project, RecordId camera, ReferredFiles &files)
 {
     const auto lenses = project.cameras().allIntrinsics(camera);
@@ -64,31 +28,43 @@ Result<void> addPictures(Project &project, RecordId camera, ReferredFiles &files
         return tl::unexpected(lenses.error());
     for (const IntrinsicsRecord &lens : *lenses)
         for (const StoredPicture &picture : lens.files)
-            files.add(picture.path);
+            files.add(project.file(), picture.path);
     const auto registrations = project.cameras().allRegistrations(camera);
     if (!registrations)
         return tl::unexpected(registrations.error());
     for (const RegistrationRecord &registration : *registrations)
-        files.add(registration.picture.path);
+        files.add(project.file(), registration.picture.path);
     return {};
 }
 
-Result<ReferredFiles> referredFiles(Project &project)
+Result<void> addAllOf(Project &project, ReferredFiles &files)
 {
-    ReferredFiles files(project.file());
     const auto recordings = project.trials().allRecordings();
     if (!recordings)
         return tl::unexpected(recordings.error());
     for (const RecordingRecord &recording : *recordings)
-        files.add(recording.path);
+        files.add(project.file(), recording.path);
     const auto cameras = project.cameras().all();
     if (!cameras)
         return tl::unexpected(cameras.error());
     for (const CameraRecord &camera : *cameras) {
         if (auto added = addPictures(project, camera.id, files); !added)
-            return tl::unexpected(added.error());
+            return added;
     }
-    return files;
+    return {};
+}
+
+/// The other projects in the folder of one.
+std::vector<std::filesystem::path> projectsBeside(const std::filesystem::path &project)
+{
+    const std::filesystem::path folder = realProjectFile(project).parent_path();
+    std::vector<std::filesystem::path> others;
+    std::error_code ignored; // it was just read from
+    for (const std::string &name : files::namesIn(folder, ignored)) {
+        if (std::filesystem::path(name).extension() == ".odo" && files::isFile(folder / name) && !files::isSame(folder / name, project))
+            others.push_back(folder / name);
+    }
+    return others;
 }
 
 /// No link, device or pipe, which may do anything when it is opened.
@@ -112,7 +88,46 @@ void addAllBelow(const std::filesystem::path &folder, std::vector<std::filesyste
     }
 }
 
+/// By the project, and by those beside it.
+Result<ReferredFiles> referredFiles(Project &project)
+{
+    auto files = filesUsedBeside(project.file());
+    if (!files)
+        return files;
+    if (auto added = addAllOf(project, *files); !added)
+        return tl::unexpected(added.error());
+    return files;
+}
+
 } // namespace
+
+void ReferredFiles::add(const std::filesystem::path &project, const std::string &path)
+{
+    if (path.empty())
+        return;
+    if (const auto identity = identityOf(absolutePath(project, path)))
+        m_files.emplace(identity->device, identity->inode);
+}
+
+bool ReferredFiles::contains(const std::filesystem::path &file) const
+{
+    const auto identity = identityOf(file);
+    return identity && m_files.contains({identity->device, identity->inode});
+}
+
+Result<ReferredFiles> filesUsedBeside(const std::filesystem::path &project)
+{
+    ReferredFiles files;
+    for (const std::filesystem::path &beside : projectsBeside(project)) {
+        const auto other = Project::openAgain(beside, Project::Access::ReadOnly);
+        const Result<void> added = other ? addAllOf(**other, files) : tl::unexpected(other.error());
+        if (!added)
+            return fail(added.error().code, "look for stray files",
+                        "project '" + beside.filename().string() + "' beside it may use them, and cannot be read (" + added.error().why + ")",
+                        "open that project, or move it to a folder of its own with its videos");
+    }
+    return files;
+}
 
 Result<std::vector<std::filesystem::path>> strayMedia(Project &project)
 {

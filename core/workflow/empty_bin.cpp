@@ -5,6 +5,7 @@
 #include "core/project/own_media.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/project/stray_media.h"
 
 namespace odo {
 
@@ -29,17 +30,19 @@ Result<void> EmptyBinJob::run(const JobControl &control)
     const auto project = Project::openAgain(m_file, Project::Access::ReadWrite);
     if (!project)
         return tl::unexpected(project.error());
+    const auto usedBeside = filesUsedBeside(m_file);
     for (std::size_t i = 0; i < m_content.trials.size() && !control.isCancelled(); ++i) {
         const TrialName &trial = m_content.trials[i];
         control.report(static_cast<double>(i) / static_cast<double>(m_content.trials.size()),
                        "removing " + trial.name);
-        if (auto removed = remove(**project, trial); !removed)
+        if (auto removed = remove(**project, trial, usedBeside); !removed)
             return removed;
     }
     return {};
 }
 
-Result<void> EmptyBinJob::remove(Project &project, const TrialName &trial)
+/// usedBeside: by other projects, as far as that can be told.
+Result<void> EmptyBinJob::remove(Project &project, const TrialName &trial, const Result<ReferredFiles> &usedBeside)
 {
     const auto known = project.trials().get(trial.id);
     if (!known && known.error().code != ErrorCode::NotFound)
@@ -62,12 +65,13 @@ Result<void> EmptyBinJob::remove(Project &project, const TrialName &trial)
         recording.path = path;
         const std::filesystem::path file = project.resolve(recording);
         const auto used = project.trials().isFileUsed(path);
-        if (used.value_or(false) || !isOwnMedia(file, project.mediaFolder()))
+        if (used.value_or(false) || !isOwnMedia(file, project.mediaFolder()) || (usedBeside && usedBeside->contains(file)))
             continue;
+        const bool isKnown = used && usedBeside;
         std::error_code problem;
-        if (used)
+        if (isKnown)
             files::remove(file, problem);
-        if (!used || problem) // what nobody can tell is in use stays, and is told
+        if (!isKnown || problem) // what nobody can tell is in use stays, and is told
             m_left.push_back(file.string());
     }
     return {};

@@ -23,6 +23,8 @@ Result<BinContent> binContent(Project &project);
 /// somebody's own. It cannot be undone, and is told in the list of changes. Works on a connection of its own,
 /// so that nobody waits for it. Cancelled, it ends well: what is removed is gone, the rest stays in the bin.
 /// Trials that were taken out of the bin meanwhile stay.
+class ReferredFiles;
+
 class EmptyBinJob : public Job
 {
 public:
@@ -37,7 +39,7 @@ public:
     const std::vector<std::string> &left() const { return m_left; }
 
 private:
-    Result<void> remove(Project &project, const TrialName &trial);
+    Result<void> remove(Project &project, const TrialName &trial, const Result<ReferredFiles> &usedBeside);
 
     const BinContent m_content;
     std::filesystem::path m_file; ///< of the project

@@ -49,6 +49,23 @@ private Q_SLOTS:
         QVERIFY(problems[0].advice.find("--adopt") != std::string::npos);
     }
 
+    /// A copy of a project uses the first one's videos.
+    void whatAProjectBesideUsesIsNoStray()
+    {
+        import("run", "A");
+        QVERIFY(m_project->saveCopy(path("copy.odo")));
+        const RecordId trial = m_project->trials().find("run")->id;
+        QVERIFY(m_project->trials().setBinned(trial, true));
+        QVERIFY(m_project->trials().removeForGood(trial));
+        QVERIFY(strayMedia(*m_project)->empty());
+        std::ofstream(path("copy.odo"), std::ios::binary | std::ios::trunc) << "no project";
+        const auto strays = strayMedia(*m_project); // nobody can tell
+        QVERIFY(!strays);
+        QVERIFY2(strays.error().why.starts_with("project 'copy.odo' beside it may use them, and cannot be read"), strays.error().why.c_str());
+        std::filesystem::remove(path("copy.odo"));
+        QCOMPARE(strayMedia(*m_project)->size(), std::size_t(1));
+    }
+
     void videosBecomeTrials()
     {
         QVERIFY(m_project->cameras().add({0, "left_1", ""}));

@@ -226,6 +226,8 @@ std::span<const CorePattern> errorsProject()
         {QT_TRANSLATE_NOOP("CoreWords", "%1 is missing")},
         {QT_TRANSLATE_NOOP("CoreWords", "put the file back in its place, and open the project again")},
         {QT_TRANSLATE_NOOP("CoreWords", "put the file back in its place")},
+        {QT_TRANSLATE_NOOP("CoreWords", "project '%1' beside it may use them, and cannot be read (%2)"), "2"},
+        {QT_TRANSLATE_NOOP("CoreWords", "open that project, or move it to a folder of its own with its videos")},
         {QT_TRANSLATE_NOOP("CoreWords", "its folder is gone, and there is no home folder to rescue it to")},
         {QT_TRANSLATE_NOOP("CoreWords", "it could not be copied to be read (%1)")},
         {QT_TRANSLATE_NOOP("CoreWords", "copy it with the files beside it to a folder that you may write to, and open the copy")},
