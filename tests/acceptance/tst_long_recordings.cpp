@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/intrinsics_yaml.h"
 #include "core/exchange/layout_csv.h"
+#include "core/exchange/text_file.h"
 #include "core/files/output_file.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"

@@ -37,7 +37,7 @@ private Q_SLOTS:
     {
         QFETCH(int, freeKb);
         // Each step says what it is and how it ended; its words stand before.
-        const QByteArray script = R"(
+        const QByteArray script = R"sh(
             disk=$1; from=$2; free=$3; program=$ODOGRAPH_PROGRAM
             mkdir -p "$disk"; used=$(du -sk "$from/example.odo" "$from/example.media" | awk '{s+=$1} END {print s}')
             mount -t tmpfs -o size=$((used + 64 + free))k none "$disk" || exit 99
@@ -53,7 +53,7 @@ private Q_SLOTS:
             step new "$program" new other.odo
             step check "$program" check example.odo
             ls -A
-        )";
+        )sh";
         QFile file(m_folder.filePath(QStringLiteral("steps.sh")));
         QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate) && file.write(script) == script.size());
         file.close();
