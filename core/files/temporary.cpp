@@ -233,13 +233,16 @@ Result<std::unique_ptr<TemporaryFolder>> TemporaryFolder::make(const std::filesy
     });
     if (!made)
         return tl::unexpected(made.error());
-    return std::unique_ptr<TemporaryFolder>(new TemporaryFolder(std::move(made->first), made->second));
+    std::unique_ptr<TemporaryFolder> temporary(new TemporaryFolder(std::move(made->first), made->second));
+    if (::mkdir(temporary->path().c_str(), 0700) != 0)
+        return cannotMake(folder, what, errno);
+    return temporary;
 }
 
 TemporaryFolder::~TemporaryFolder()
 {
-    if (isAt(m_path, m_descriptor)) // not where it was given its own name
-        removeAll(m_path);
+    if (isAt(m_outer, m_descriptor))
+        removeAll(m_outer);
     ::close(m_descriptor);
 }
 

@@ -49,13 +49,14 @@ public:
     TemporaryFolder(const TemporaryFolder &) = delete;
     TemporaryFolder &operator=(const TemporaryFolder &) = delete;
 
-    const std::filesystem::path &path() const { return m_path; }
+    /// May be given another name and place.
+    std::filesystem::path path() const { return m_outer / "new"; }
 
 private:
-    TemporaryFolder(std::filesystem::path path, int descriptor) : m_path(std::move(path)), m_descriptor(descriptor) {}
+    TemporaryFolder(std::filesystem::path outer, int descriptor) : m_outer(std::move(outer)), m_descriptor(descriptor) {}
 
-    const std::filesystem::path m_path;
-    const int m_descriptor; ///< holds the lock
+    const std::filesystem::path m_outer; ///< the lock is on it, and not on the folder within: a project made there locks its folder itself
+    const int m_descriptor;
 };
 
 /// Whether a file or folder is called as those above are.
