@@ -6539,6 +6539,10 @@
         <source>open that project, or move it to a folder of its own with its videos</source>
         <translation>öffnen Sie jenes Projekt, oder verschieben Sie es mit seinen Videos in einen eigenen Ordner</translation>
     </message>
+    <message>
+        <source>recording; the project&apos;s file is gone, what is in it will be rescued</source>
+        <translation>Aufnahme läuft; die Datei des Projekts ist verschwunden, ihr Inhalt wird gerettet</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6539,6 +6539,10 @@
         <source>open that project, or move it to a folder of its own with its videos</source>
         <translation>abra ese proyecto o muévalo con sus vídeos a una carpeta propia</translation>
     </message>
+    <message>
+        <source>recording; the project&apos;s file is gone, what is in it will be rescued</source>
+        <translation>grabando; el archivo del proyecto ha desaparecido, su contenido se rescatará</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6539,6 +6539,10 @@
         <source>open that project, or move it to a folder of its own with its videos</source>
         <translation>ouvrez ce projet, ou déplacez-le avec ses vidéos dans un dossier à part</translation>
     </message>
+    <message>
+        <source>recording; the project&apos;s file is gone, what is in it will be rescued</source>
+        <translation>enregistrement en cours ; le fichier du projet a disparu, son contenu sera récupéré</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6537,6 +6537,10 @@
         <source>open that project, or move it to a folder of its own with its videos</source>
         <translation>그 프로젝트를 열거나 동영상과 함께 별도 폴더로 옮기십시오</translation>
     </message>
+    <message>
+        <source>recording; the project&apos;s file is gone, what is in it will be rescued</source>
+        <translation>녹화 중. 프로젝트 파일이 사라졌으며 그 내용은 구조됩니다</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

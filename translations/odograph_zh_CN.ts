@@ -6537,6 +6537,10 @@
         <source>open that project, or move it to a folder of its own with its videos</source>
         <translation>请打开该项目，或将其连同视频移到单独的文件夹</translation>
     </message>
+    <message>
+        <source>recording; the project&apos;s file is gone, what is in it will be rescued</source>
+        <translation>正在录制；项目文件已不存在，其中的内容将被抢救</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

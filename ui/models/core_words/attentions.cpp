@@ -47,6 +47,7 @@ std::span<const CorePattern> attentions()
         {QT_TRANSLATE_NOOP("CoreWords", "%1 and %2 frames/s")},
         {QT_TRANSLATE_NOOP("CoreWords", "the views are joined by time, check --rate if one is slow motion")},
         {QT_TRANSLATE_NOOP("CoreWords", "it is left out, because nothing was recorded of it")},
+        {QT_TRANSLATE_NOOP("CoreWords", "recording; the project's file is gone, what is in it will be rescued")},
         {QT_TRANSLATE_NOOP("CoreWords", "the project's file was deleted, renamed or replaced meanwhile; what was in it is rescued in '%1'")},
         {QT_TRANSLATE_NOOP("CoreWords", "check its cable, and whether another program uses it")},
         {QT_TRANSLATE_NOOP("CoreWords", "it ended early, because %1"), "1"},
