@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/project_watch.h"
 
+#include "core/base/file_system.h"
+#include "core/project/log_copy.h"
 #include "ui/models/background_task.h"
 
 #include <QGuiApplication>
@@ -21,6 +23,8 @@ ProjectWatch::ProjectWatch(Project &project, Access access, QObject *parent)
     const auto state = m_project.state();
     if (state)
         m_state = *state;
+    if (!hasLog(files::realPath(m_project.file())))
+        m_savedState = m_state;
     m_quiet.start();
     m_written.start();
     connect(&m_timer, &QTimer::timeout, this, &ProjectWatch::look);

@@ -26,7 +26,7 @@ public:
     ~ProjectWatch() override;
 
     /// All changes are in the project file. Always false where it is read only.
-    bool isSaved() const { return m_savedState && m_savedState == m_state; }
+    bool isSaved() const { return m_access == Access::ReadWrite && m_savedState && m_savedState == m_state; }
 
 Q_SIGNALS:
     void changedOutside(); ///< by another program, or by another thread that has come to rest

@@ -150,7 +150,7 @@ void TestMainWindow::opensAProject()
     MainWindow window;
     QVERIFY(window.openProject(m_project));
     QTRY_COMPARE(window.windowTitle(), QStringLiteral("Year 9 robotics — Trial 1, Team Falcon — Odograph"));
-    QTRY_VERIFY(window.statusBar()->findChildren<QLabel *>().front()->text().contains(QLatin1String("saved")));
+    QVERIFY(window.statusBar()->findChildren<QLabel *>().front()->text().contains(QLatin1String("saved")));
     QVERIFY(window.showTrial("Trial 2"));
     QTRY_COMPARE(window.windowTitle(), QStringLiteral("Year 9 robotics — Trial 2, Team Heron — Odograph"));
     MainWindow next;
