@@ -3,6 +3,7 @@
 
 #include "core/base/shortage.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -11,6 +12,7 @@
 #include <exception>
 #include <fcntl.h>
 #include <new>
+#include <span>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <system_error>
@@ -35,19 +37,7 @@ bool isMemoryThere() noexcept
 }
 
 /// As many as a library takes at once.
-bool areFilesThere() noexcept
-{
-    std::array<int, 8> handles{};
-    bool areThere = true;
-    for (int &handle : handles) {
-        handle = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
-        areThere = areThere && (handle >= 0 || (errno != EMFILE && errno != ENFILE));
-    }
-    for (const int handle : handles)
-        if (handle >= 0)
-            ::close(handle);
-    return areThere;
-}
+constexpr std::size_t filesOfALibrary = 8;
 
 bool isProcessThere() noexcept
 {
@@ -103,9 +93,24 @@ const char *shortageBeingHandled() noexcept
     }
 }
 
+bool canOpenFiles(std::size_t count) noexcept
+{
+    std::array<int, mostFilesAsked> handles{};
+    bool areThere = true;
+    const auto wanted = std::span(handles).first(std::min(count, handles.size()));
+    for (int &handle : wanted) {
+        handle = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+        areThere = areThere && (handle >= 0 || (errno != EMFILE && errno != ENFILE));
+    }
+    for (const int handle : wanted)
+        if (handle >= 0)
+            ::close(handle);
+    return areThere;
+}
+
 const char *shortageNowOfSystem() noexcept
 {
-    return !isMemoryThere() ? noMemory : !areFilesThere() ? noFiles : !isProcessThere() ? noFurtherThread : nullptr;
+    return !isMemoryThere() ? noMemory : !canOpenFiles(filesOfALibrary) ? noFiles : !isProcessThere() ? noFurtherThread : nullptr;
 }
 
 void endForShortage(const char *why) noexcept

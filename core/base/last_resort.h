@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+
 namespace odo {
 
 /// What is left to do where memory, threads or open files have run out and nothing else has dealt with it: libraries end the program
@@ -12,6 +14,10 @@ const char *shortageBeingHandled() noexcept;
 
 /// Asks the system now whether it still gives memory, files and processes: why not, or null. Safe in a signal handler.
 const char *shortageNowOfSystem() noexcept;
+
+/// Whether so many more files may be opened, of 64 at most. Safe in a signal handler.
+inline constexpr std::size_t mostFilesAsked = 64;
+bool canOpenFiles(std::size_t count) noexcept;
 
 /// Writes the one line and ends the program with status 1. Nothing is put away, no memory is asked for. Safe in a signal handler.
 [[noreturn]] void endForShortage(const char *why) noexcept;

@@ -117,4 +117,10 @@ FileKind kindOf(std::string_view start)
     return start.find('\0') == std::string_view::npos ? textKind(start) : FileKind::Other;
 }
 
+bool isSameKind(FileKind a, FileKind b)
+{
+    const auto isTable = [](FileKind kind) { return kind == FileKind::Csv || kind == FileKind::Tum || kind == FileKind::Tracker; };
+    return a == b || (isTable(a) && isTable(b));
+}
+
 } // namespace odo

@@ -26,6 +26,9 @@ enum class FileKind {
     Other, ///< any other bytes
 };
 
+/// Whether one may take the other's place unasked: a table of a track does so in any of its forms.
+bool isSameKind(FileKind a, FileKind b);
+
 /// How many bytes from its beginning tell a file's kind.
 inline constexpr std::size_t kindBytes = 8192;
 

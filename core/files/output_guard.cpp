@@ -155,7 +155,7 @@ public:
         if (!found)
             return tl::unexpected(found.error());
         place.kind = *found;
-        if (kind && m_target.existing == Existing::ReplaceSameKind && place.kind != FileKind::Empty && place.kind != *kind)
+        if (kind && m_target.existing == Existing::ReplaceSameKind && place.kind != FileKind::Empty && !isSameKind(place.kind, *kind))
             return fail(ErrorCode::WrongCall, what(), "a file of another kind has that name", "choose another name, or replace it with --force");
         return place;
     }

@@ -78,6 +78,16 @@ bool leadsElsewhere(const std::filesystem::path &file)
 
 } // namespace
 
+bool isProjectFile(const std::filesystem::path &file)
+{
+    if (!files::isFile(file))
+        return false;
+    const DatabaseBytes bytes(file);
+    Header header{};
+    return bytes.read(std::as_writable_bytes(std::span(header)), 0) && std::equal(sqliteMagic.begin(), sqliteMagic.end(), header.begin()) &&
+           bigEndian(header, applicationIdOffset) == projectApplicationId;
+}
+
 Result<void> checkIsFile(const std::filesystem::path &file)
 {
     std::error_code problem;

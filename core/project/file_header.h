@@ -12,6 +12,9 @@ namespace odo {
 /// one that knows `newestVersion`. Says nothing false of a file that another process works on. Never changes anything.
 Result<void> checkFileHeader(const std::filesystem::path &file, int newestVersion);
 
+/// Whether the first bytes are those of a project, of any version and however damaged the rest is.
+bool isProjectFile(const std::filesystem::path &file);
+
 /// That there is such a file, which could be opened.
 Result<void> checkIsFile(const std::filesystem::path &file);
 

@@ -3,6 +3,7 @@
 
 #include "core/base/file_system.h"
 #include "core/files/protected_files.h"
+#include "core/project/file_header.h"
 #include "core/project/held_file.h"
 #include "core/project/recording_lock.h"
 #include "core/project/recording_rows.h"
@@ -61,7 +62,7 @@ std::vector<std::filesystem::path> projectsBeside(const std::filesystem::path &p
     std::vector<std::filesystem::path> others;
     std::error_code ignored; // it was just read from
     for (const std::string &name : files::namesIn(folder, ignored)) {
-        if (std::filesystem::path(name).extension() == ".odo" && files::isFile(folder / name) && !files::isSame(folder / name, project))
+        if (std::filesystem::path(name).extension() == ".odo" && isProjectFile(folder / name) && !files::isSame(folder / name, project))
             others.push_back(folder / name);
     }
     return others;
@@ -86,17 +87,6 @@ void addAllBelow(const std::filesystem::path &folder, std::vector<std::filesyste
         else if (kind != files::Kind::Missing) // gone meanwhile
             found.push_back(file);
     }
-}
-
-/// By the project, and by those beside it.
-Result<ReferredFiles> referredFiles(Project &project)
-{
-    auto files = filesUsedBeside(project.file());
-    if (!files)
-        return files;
-    if (auto added = addAllOf(project, *files); !added)
-        return tl::unexpected(added.error());
-    return files;
 }
 
 } // namespace
@@ -143,10 +133,16 @@ Result<std::vector<std::filesystem::path>> strayMedia(Project &project)
     });
     if (files.empty())
         return files;
-    const auto referred = referredFiles(project);
-    if (!referred)
-        return tl::unexpected(referred.error());
-    std::erase_if(files, [&](const std::filesystem::path &file) { return referred->contains(file); });
+    ReferredFiles own;
+    if (auto added = addAllOf(project, own); !added)
+        return tl::unexpected(added.error());
+    std::erase_if(files, [&](const std::filesystem::path &file) { return own.contains(file); });
+    if (files.empty())
+        return files;
+    const auto beside = filesUsedBeside(project.file());
+    if (!beside)
+        return tl::unexpected(beside.error());
+    std::erase_if(files, [&](const std::filesystem::path &file) { return beside->contains(file); });
     return files;
 }
 
@@ -180,10 +176,11 @@ Result<bool> removeStray(Project &project, const std::filesystem::path &file)
         }
     }
     // Now that nobody can adopt it: it may have become a trial's since it was found.
-    const auto referred = referredFiles(project);
+    auto referred = filesUsedBeside(project.file());
+    const Result<void> added = referred ? addAllOf(project, *referred) : tl::unexpected(referred.error());
     Result<bool> removed = false;
-    if (!referred)
-        removed = tl::unexpected(referred.error());
+    if (!added)
+        removed = tl::unexpected(added.error());
     else if (!referred->contains(file))
         removed = ::unlink(file.c_str()) == 0 ? Result<bool>(true) : failed(errno);
     if (descriptor >= 0)

@@ -40,7 +40,7 @@ private Q_SLOTS:
         QFETCH(QString, name);
         const QString project = path("p.odo"), table = QStringLiteral("R=") + path("track.csv");
         const QList<QStringList> calls{{QStringLiteral("camera"), QStringLiteral("add"), project, name},
-                                       {QStringLiteral("robot"), QStringLiteral("add"), project, name},
+                                       {QStringLiteral("robot"), QStringLiteral("add"), project, name, QStringLiteral("--colour"), QStringLiteral("#00aa00")},
                                        {QStringLiteral("import"), project, QStringLiteral("--trial"), name, QStringLiteral("--track"), table},
                                        {QStringLiteral("show"), project, name},
                                        {QStringLiteral("export"), project, name, QStringLiteral("-o"), path("out.csv")},

@@ -45,7 +45,7 @@ private Q_SLOTS:
             video=$(ls "$from"/example.media/*.mkv | head -1)
             step() { name=$1; shift; "$@" >/dev/null 2>"$from/words"; status=$?; lines=$(wc -l <"$from/words"); echo "$name|$status|$lines|$(head -c 300 "$from/words" | tr '\n' ' ')"; }
             cd "$disk"
-            step robot "$program" robot add example.odo "new robot"
+            step robot "$program" robot add example.odo "new robot" --colour "#00aa00"
             step import "$program" import example.odo --trial imported --video "A=$video"
             step track "$program" track example.odo "Trial 1"
             step export "$program" export example.odo "Trial 1" -o out.csv

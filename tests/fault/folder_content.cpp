@@ -57,7 +57,7 @@ FolderContent contentOf(const std::filesystem::path &folder)
 bool isInTheMaking(const QString &name)
 {
     static const QRegularExpression making(
-        QStringLiteral("(^|/)\\.odograph-[a-z2-7]{12}\\.part(/|$)|\\.[A-Za-z]{6}$|-wal$|-shm$|-journal$"));
+        QStringLiteral("(^|/)\\.odograph-[a-z2-7]{12}\\.part(/|$)|(^|/)\\.new-[a-z0-9]{6}\\.part$|-wal$|-shm$|-journal$"));
     return making.match(name).hasMatch();
 }
 

@@ -25,6 +25,8 @@ QString valueOf(sqlite3_stmt *row, int column)
         return QStringLiteral("-");
     if (name.endsWith("_ms"))
         return QStringLiteral("moment");
+    if (name == "sha256" && qstrcmp(sqlite3_column_table_name(row, column), "analysis_digest") == 0)
+        return QStringLiteral("of what was made at a moment");
     const auto *bytes = static_cast<const char *>(sqlite3_column_blob(row, column));
     return QString::fromLatin1(QByteArray(bytes, sqlite3_column_bytes(row, column)).toHex());
 }
