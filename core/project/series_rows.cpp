@@ -177,7 +177,8 @@ Result<std::optional<ImportedTrack>> TrialRepository::currentImportedTrack(Recor
         return tl::unexpected(newest.error());
     if (!*newest)
         return std::nullopt;
-    auto &[id, track] = **newest;
+    const RecordId id = (*newest)->first;
+    ImportedTrack &track = (*newest)->second;
     NoiseLevel noise;
     std::size_t count = 0;
     Statement chunks(m_connection, QStringLiteral("SELECT samples FROM imported_track_chunk WHERE track_id=? ORDER BY position"));
