@@ -13,6 +13,7 @@
 #include <atomic>
 #include <cerrno>
 #include <limits>
+#include <new>
 #include <sqlite3.h>
 #include <unistd.h>
 #include <utility>
@@ -228,11 +229,13 @@ ProjectConnection::~ProjectConnection()
 
 /// When this is the last connection to be closed. Who only reads writes nothing, and beside a file that took the place of
 /// this one the log may be that one's.
-bool ProjectConnection::mayRemoveLog(const HeldTurn &turn) const
+bool ProjectConnection::mayRemoveLog(const HeldTurn &turn) const noexcept
 {
-    if (!isInPlace())
+    try {
+        return isInPlace() && (m_access == DatabaseAccess::QueryOnly ? !hasLog(m_file) : turn.isHeld());
+    } catch (const std::bad_alloc &) {
         return false;
-    return m_access == DatabaseAccess::QueryOnly ? !hasLog(m_file) : turn.isHeld();
+    }
 }
 
 sqlite3 *ProjectConnection::handle() const

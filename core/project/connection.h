@@ -77,7 +77,7 @@ private:
     ProjectConnection(std::filesystem::path file, QString name, DatabaseAccess access);
     static Result<std::unique_ptr<ProjectConnection>> openAt(const std::filesystem::path &place, const std::filesystem::path &file, DatabaseAccess access);
     Result<void> configure();
-    bool mayRemoveLog(const HeldTurn &turn) const;
+    bool mayRemoveLog(const HeldTurn &turn) const noexcept;
     void countChanges() const;
 
     std::filesystem::path m_file;

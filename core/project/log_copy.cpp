@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <new>
 #include <sys/stat.h>
 #include <vector>
 
@@ -91,7 +92,10 @@ Result<void> LogCopy::fill(const std::filesystem::path &file) const
 
 LogCopy::~LogCopy()
 {
-    files::removeAll(m_folder);
+    try {
+        files::removeAll(m_folder);
+    } catch (const std::bad_alloc &) { // it stays in the folder for temporary files
+    }
 }
 
 } // namespace odo

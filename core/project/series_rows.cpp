@@ -6,6 +6,7 @@
 #include "core/project/repositories.h"
 #include "core/project/series_blobs.h"
 #include "core/trajectory/imported_track.h"
+#include "core/trajectory/noise_level.h"
 
 namespace odo {
 

@@ -3,6 +3,7 @@
 
 #include "core/base/upper_median.h"
 #include "core/trajectory/metrics.h"
+#include "core/trajectory/noise_level.h"
 #include "core/trajectory/overrules.h"
 #include "core/trajectory/profile_points.h"
 #include "core/trajectory/spike_flags.h"
@@ -115,18 +116,6 @@ double estimateImportedNoiseM(const std::vector<ImportedPosition> &track, const 
     }
     return noiseM;
 }
-
-void NoiseLevel::add(const std::vector<Sample> &samples)
-{
-    for (const Sample &sample : samples) {
-        if (!sample.position)
-            continue;
-        m_variances += sample.covariance.trace();
-        m_count += 2;
-    }
-}
-
-double NoiseLevel::sigmaM() const { return m_count > 0 ? std::sqrt(m_variances / m_count) : 0; }
 
 double noiseLevelM(const std::vector<Sample> &samples)
 {

@@ -47,16 +47,7 @@ private:
 double estimateImportedNoiseM(const std::vector<ImportedPosition> &track, const JobControl &control = {});
 constexpr double leastImportedNoiseM = 1e-4; ///< no camera measures finer, and numbers that were rounded look as if it did
 
-/// The root mean square σ of a coordinate of all samples that were added, metres; 0 without a position.
-class NoiseLevel
-{
-public:
-    void add(const std::vector<Sample> &samples);
-    double sigmaM() const;
-
-private:
-    double m_variances = 0, m_count = 0;
-};
+/// NoiseLevel of these samples.
 double noiseLevelM(const std::vector<Sample> &samples);
 
 /// Analyses imported samples as those of our own views are: spikes, profile, metrics. Gaps are bridged over four times the usual

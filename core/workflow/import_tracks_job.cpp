@@ -9,6 +9,7 @@
 #include "core/project/project.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
+#include "core/trajectory/noise_level.h"
 #include "core/workflow/task_analysis.h"
 #include "core/workflow/teams.h"
 #include "core/workflow/track_warnings.h"
