@@ -49,7 +49,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<QByteArray>("table");
         QTest::addColumn<QByteArray>("sql");
-        constexpr int sample = 40;
+        constexpr int sample = 120;
         int number = 0;
         for (const Column &column : columns()) {
             const QByteArrayList values = valuesFor(column);
