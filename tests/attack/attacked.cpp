@@ -89,7 +89,7 @@ QString faultOf(const AttackedRun &run)
         if ((static_cast<unsigned char>(c) < 32 && c != '\n' && c != '\t') || c == 127)
             return QStringLiteral("the control character %1 is passed on").arg(int(c));
     const bool isOneLine = run.err.count('\n') == 1 && run.err.startsWith("odograph: ") && run.err.contains("; ");
-    if (run.exitStatus != 0 && (!isOneLine || run.err.contains("nknown error") || run.err.size() > 2000))
+    if (run.exitStatus != 0 && (!isOneLine || run.err.contains("nknown error") || QString::fromUtf8(run.err).size() > 2000))
         return QStringLiteral("no line with a reason: %1").arg(said);
     return {};
 }
