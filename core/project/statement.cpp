@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Statement and Transaction, which belong to a ProjectConnection.
+#include "core/base/plain_text.h"
+#include "core/project/connection.h"
+#include "core/project/names.h"
+#include "core/project/sqlite_refusal.h"
+
+#include <QSqlError>
+#include <QSqlResult>
+#include <algorithm>
+#include <limits>
+#include <sqlite3.h>
+
+namespace odo {
+
+namespace {
+
+/// With … in place of the rest of a longer text.
+QString firstCharacters(const QString &text, int most)
+{
+    qsizetype cut = 0, at = 0;
+    for (int characters = 0; at < text.size(); ++characters) {
+        if (characters == most)
+            return text.first(cut) + u'…';
+        if (characters < most)
+            cut = at;
+        at += text.at(at).isHighSurrogate() && at + 1 < text.size() ? 2 : 1;
+    }
+    return text;
+}
+
+} // namespace
+
+Statement::Statement(const ProjectConnection &connection, const QString &sql)
+    : m_connection(connection), m_query(connection.database()), m_prepared(m_query.prepare(sql))
+{
+    m_query.setForwardOnly(true);
+}
+
+Statement &Statement::bind(std::int64_t value)
+{
+    m_query.bindValue(m_bound++, QVariant(static_cast<qlonglong>(value)));
+    return *this;
+}
+
+Statement &Statement::bind(double value)
+{
+    // SQLite would turn NaN into NULL without a word.
+    m_inRange = m_inRange && std::abs(value) <= largestNumber;
+    m_query.bindValue(m_bound++, QVariant(value));
+    return *this;
+}
+
+Statement &Statement::bind(const std::string &value)
+{
+    // A null QString would become NULL, an empty one stays a text.
+    m_query.bindValue(m_bound++, value.empty() ? QStringLiteral("") : QString::fromStdString(value));
+    return *this;
+}
+
+Statement &Statement::bind(const QByteArray &value)
+{
+    m_query.bindValue(m_bound++, value);
+    return *this;
+}
+
+Statement &Statement::bind(const std::optional<double> &value)
+{
+    if (value)
+        return bind(*value);
+    m_query.bindValue(m_bound++, QVariant(QMetaType::fromType<double>()));
+    return *this;
+}
+
+Statement &Statement::bindReference(RecordId id)
+{
+    if (id != 0)
+        return bind(id);
+    m_query.bindValue(m_bound++, QVariant(QMetaType::fromType<qlonglong>()));
+    return *this;
+}
+
+Result<void> Statement::start()
+{
+    if (!m_inRange)
+        return fail(ErrorCode::InvalidInput, m_connection.displayName(),
+                    "a value to be stored is not a number of ordinary size",
+                    "check the input that it was computed from");
+    if (!m_prepared || !m_query.exec())
+        return failure();
+    return {};
+}
+
+namespace {
+
+bool changesNothing(const QSqlQuery &query)
+{
+    const QVariant handle = query.result()->handle();
+    return sqlite3_stmt_readonly(*static_cast<sqlite3_stmt *const *>(handle.constData())) != 0;
+}
+
+} // namespace
+
+Result<void> Statement::run()
+{
+    if (!m_prepared || changesNothing(m_query))
+        return start();
+    const auto turn = m_connection.takeTurn();
+    if (!turn)
+        return tl::unexpected(turn.error());
+    auto done = start();
+    if (m_connection.m_transactionDepth == 0) // else its end counts them
+        m_connection.countChanges();
+    return done;
+}
+
+Result<void> Statement::eachRow(const std::function<Result<void>(const Statement &)> &row)
+{
+    if (auto started = start(); !started)
+        return started;
+    while (m_query.next()) {
+        if (auto done = row(*this); !done)
+            return done;
+    }
+    if (m_query.lastError().isValid())
+        return failure();
+    return {};
+}
+
+Result<bool> Statement::firstRow()
+{
+    if (auto started = start(); !started)
+        return tl::unexpected(started.error());
+    if (m_query.next())
+        return true;
+    if (m_query.lastError().isValid())
+        return failure();
+    return false;
+}
+
+tl::unexpected<Error> Statement::failure() const
+{
+    const QSqlError error = m_query.lastError();
+    const SqliteRefusal reason = sqliteRefusal(error.nativeErrorCode().toInt(), sqlite3_system_errno(m_connection.handle()));
+    std::string why = reason.why;
+    if (reason.code == ErrorCode::Internal)
+        why += " (" + error.databaseText().toStdString() + ")";
+    return fail(reason.code, m_connection.displayName(), why, reason.advice);
+}
+
+std::int64_t Statement::integer(int column) const
+{
+    return m_query.value(column).toLongLong();
+}
+
+int Statement::smallInteger(int column) const
+{
+    const std::int64_t value = integer(column);
+    using Limits = std::numeric_limits<int>;
+    return value < Limits::min() || value > Limits::max() ? 0 : static_cast<int>(value);
+}
+
+double Statement::real(int column) const
+{
+    return bounded(m_query.value(column).toDouble());
+}
+
+std::optional<double> Statement::optionalReal(int column) const
+{
+    if (m_query.isNull(column))
+        return std::nullopt;
+    return real(column);
+}
+
+std::string Statement::text(int column) const
+{
+    return firstCharacters(m_query.value(column).toString(), maxTextLength).toStdString();
+}
+std::string Statement::name(int column) const
+{
+    // An escaped character is at most eight long, and takes the place of one: no more than this can be shown of it.
+    const QString begin = firstCharacters(m_query.value(column).toString(), maxNameLength + 1);
+    return firstCharacters(QString::fromStdString(plainLine(begin.toStdString())), maxNameLength).toStdString();
+}
+QByteArray Statement::blob(int column) const
+{
+    return m_query.value(column).toByteArray();
+}
+RecordId Statement::insertedId() const
+{
+    return m_query.lastInsertId().toLongLong();
+}
+
+Result<void> Transaction::begin()
+{
+    m_depth = m_connection.m_transactionDepth;
+    // An error such as a full disk makes SQLite end the outer transaction by itself: nothing may follow in
+    // it.
+    if (m_depth > 0 && sqlite3_get_autocommit(m_connection.handle()) != 0)
+        return fail(ErrorCode::Io, m_connection.displayName(), "an earlier step of this change failed",
+                    "try the whole change again");
+    auto turn = m_connection.takeTurn();
+    if (!turn)
+        return tl::unexpected(turn.error());
+    m_turn = std::move(*turn);
+    const QString sql =
+        m_depth == 0 ? QStringLiteral("BEGIN IMMEDIATE") : QStringLiteral("SAVEPOINT step%1").arg(m_depth);
+    if (auto begun = m_connection.execute(sql); !begun) {
+        m_turn.giveUp();
+        return begun;
+    }
+    m_open = true;
+    ++m_connection.m_transactionDepth;
+    return {};
+}
+
+Result<void> Transaction::commit()
+{
+    const QString sql =
+        m_depth == 0 ? QStringLiteral("COMMIT") : QStringLiteral("RELEASE step%1").arg(m_depth);
+    if (auto done = m_connection.execute(sql); !done) {
+        rollBack();
+        return done;
+    }
+    m_open = false;
+    if (--m_connection.m_transactionDepth == 0)
+        m_connection.countChanges();
+    m_turn.giveUp();
+    return {};
+}
+
+Transaction::~Transaction()
+{
+    if (m_open)
+        rollBack();
+}
+
+void Transaction::rollBack()
+{
+    const HeldTurn turn = std::move(m_turn); // until it is rolled back
+    m_open = false;
+    --m_connection.m_transactionDepth;
+    if (sqlite3_get_autocommit(m_connection.handle()) != 0)
+        return; // SQLite has rolled back by itself
+    if (m_depth == 0) {
+        static_cast<void>(m_connection.execute(QStringLiteral("ROLLBACK")));
+        return;
+    }
+    static_cast<void>(m_connection.execute(QStringLiteral("ROLLBACK TO step%1").arg(m_depth)));
+    static_cast<void>(m_connection.execute(QStringLiteral("RELEASE step%1").arg(m_depth)));
+}
+
+} // namespace odo
