@@ -10,7 +10,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <new>
 #include <sys/stat.h>
 #include <vector>
 
@@ -53,21 +52,16 @@ bool copyDatabaseBytes(const std::filesystem::path &from, std::ofstream &into)
 bool hasLog(const std::filesystem::path &file)
 {
     std::error_code problem;
-    return files::sizeOf(besideFile(file, logSuffix), problem) > 0;
-}
-
-std::filesystem::path LogCopy::file() const
-{
-    return m_folder / "project.odo";
+    return files::sizeOf(besideFile(files::realPath(file), logSuffix), problem) > 0;
 }
 
 Result<std::unique_ptr<LogCopy>> LogCopy::make(const std::filesystem::path &file)
 {
     const char *told = std::getenv("TMPDIR");
-    std::string pattern = (std::filesystem::path(told != nullptr ? told : "/tmp") / "odograph-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr)
-        return notCopied(file, std::strerror(errno));
-    std::unique_ptr<LogCopy> copy(new LogCopy(pattern));
+    auto folder = TemporaryFolder::make(told != nullptr ? told : "/tmp", "copy of project '" + file.filename().string() + "'");
+    if (!folder)
+        return tl::unexpected(folder.error());
+    std::unique_ptr<LogCopy> copy(new LogCopy(std::move(*folder)));
     if (auto filled = copy->fill(file); !filled)
         return tl::unexpected(filled.error());
     return copy;
@@ -88,14 +82,6 @@ Result<void> LogCopy::fill(const std::filesystem::path &file) const
     }
     return fail(ErrorCode::Unavailable, "project '" + file.filename().string() + "'", "another program is writing to it",
                 "close the other program and try again");
-}
-
-LogCopy::~LogCopy()
-{
-    try {
-        files::removeAll(m_folder);
-    } catch (const std::bad_alloc &) { // it stays in the folder for temporary files
-    }
 }
 
 } // namespace odo

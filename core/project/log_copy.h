@@ -2,13 +2,14 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/files/temporary.h"
 
 #include <filesystem>
 #include <memory>
 
 namespace odo {
 
-/// Whether a write-ahead log with anything in it lies beside a database.
+/// Whether a write-ahead log with anything in it lies beside a database; beside the file itself, where the path is a link.
 bool hasLog(const std::filesystem::path &file);
 
 /// A database and its log, copied into a folder of their own below the one for temporary files, which goes with this
@@ -16,20 +17,17 @@ bool hasLog(const std::filesystem::path &file);
 class LogCopy
 {
 public:
-    /// Errors: Io where they cannot be read or the copy cannot be written, Unavailable where another program keeps
-    /// changing them.
+    /// Errors: those of TemporaryFolder, Io where they cannot be read or the copy cannot be written, Unavailable where another program
+    /// keeps changing them.
     static Result<std::unique_ptr<LogCopy>> make(const std::filesystem::path &file);
-    ~LogCopy();
-    LogCopy(const LogCopy &) = delete;
-    LogCopy &operator=(const LogCopy &) = delete;
 
-    std::filesystem::path file() const;
+    std::filesystem::path file() const { return m_folder->path() / "project.odo"; }
 
 private:
-    explicit LogCopy(std::filesystem::path folder) : m_folder(std::move(folder)) {}
+    explicit LogCopy(std::unique_ptr<TemporaryFolder> folder) : m_folder(std::move(folder)) {}
     Result<void> fill(const std::filesystem::path &file) const;
 
-    const std::filesystem::path m_folder;
+    const std::unique_ptr<TemporaryFolder> m_folder;
 };
 
 } // namespace odo

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/project_watch.h"
 
-#include "core/base/file_system.h"
 #include "core/project/log_copy.h"
 #include "ui/models/background_task.h"
 
@@ -23,7 +22,7 @@ ProjectWatch::ProjectWatch(Project &project, Access access, QObject *parent)
     const auto state = m_project.state();
     if (state)
         m_state = *state;
-    if (!hasLog(files::realPath(m_project.file())))
+    if (!hasLog(m_project.file()))
         m_savedState = m_state;
     m_quiet.start();
     m_written.start();
