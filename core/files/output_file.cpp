@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/output_file.h"
 
+#include "core/files/descriptor.h"
+
 #include <cerrno>
 #include <cstring>
 #include <sys/stat.h>
@@ -34,15 +36,8 @@ tl::unexpected<Error> OutputFile::failure(const std::string &reason) const
 
 Result<void> OutputFile::write(std::string_view bytes)
 {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor(), bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR)
-            continue;
-        if (written < 0)
-            return failure(std::strerror(errno));
-        bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return {};
+    const int failed = writeAll(descriptor(), bytes);
+    return failed == 0 ? Result<void>() : failure(std::strerror(failed));
 }
 
 Result<void> OutputFile::commit()

@@ -50,14 +50,6 @@ std::filesystem::path mediaFolderOf(const std::filesystem::path &project)
     return project.parent_path() / (project.stem().string() + std::string(mediaEnding));
 }
 
-bool isRegularFile(const std::filesystem::path &file)
-{
-    struct stat status
-    {
-    };
-    return ::stat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode);
-}
-
 /// The project whose media folder that is by its name; empty where there is none.
 std::filesystem::path projectBeside(const std::filesystem::path &folder)
 {
@@ -66,7 +58,7 @@ std::filesystem::path projectBeside(const std::filesystem::path &folder)
         return {};
     const std::filesystem::path project =
         folder.parent_path() / (name.substr(0, name.size() - mediaEnding.size()) + std::string(projectEnding));
-    return isRegularFile(project) ? project : std::filesystem::path();
+    return files::isFile(project) ? project : std::filesystem::path();
 }
 
 /// The folders above a file, the nearest first.

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 
+#include <compare>
 #include <cstdint>
 #include <filesystem>
 #include <list>
@@ -16,7 +17,7 @@ namespace odo {
 struct FileIdentity
 {
     std::uint64_t device = 0, inode = 0;
-    friend bool operator==(const FileIdentity &, const FileIdentity &) = default;
+    friend auto operator<=>(const FileIdentity &, const FileIdentity &) = default;
 };
 
 /// Links are followed; nothing where there is no file. Doesn't open it.

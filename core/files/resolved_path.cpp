@@ -3,14 +3,10 @@
 
 #include "core/base/file_system.h"
 
-#include <array>
 #include <cerrno>
-#include <climits>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace odo {
 
@@ -22,16 +18,6 @@ struct FreeText
 {
     void operator()(char *text) const { std::free(text); } // NOLINT: realpath() allocates so
 };
-
-/// What a link says; nothing where there is no link.
-std::optional<std::filesystem::path> linkText(const std::filesystem::path &file)
-{
-    std::array<char, PATH_MAX> text{};
-    const ssize_t length = ::readlink(file.c_str(), text.data(), text.size());
-    if (length < 0)
-        return std::nullopt;
-    return std::filesystem::path(std::string(text.data(), static_cast<std::size_t>(length)));
-}
 
 } // namespace
 
@@ -61,10 +47,11 @@ Result<ResolvedPath> resolved(const std::filesystem::path &file)
             return fail(ErrorCode::Io, what, std::string("its folder cannot be used (") + std::strerror(errno) + ")",
                         "choose another folder");
         resolved.real = *realFolder / name;
-        const auto link = linkText(resolved.real);
-        if (!link)
+        std::error_code isNoLink;
+        const std::filesystem::path link = files::linkTarget(resolved.real, isNoLink);
+        if (isNoLink)
             return resolved;
-        named = *realFolder / *link; // an absolute one replaces the folder
+        named = *realFolder / link; // an absolute one replaces the folder
     }
     return fail(ErrorCode::Io, what, std::string("it cannot be written (") + std::strerror(ELOOP) + ")", "choose another name");
 }

@@ -2,9 +2,9 @@
 #include "core/files/temporary.h"
 
 #include "core/base/file_system.h"
+#include "core/files/descriptor.h"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -13,7 +13,6 @@
 #include <new>
 #include <string_view>
 #include <sys/file.h>
-#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
@@ -23,28 +22,14 @@ namespace odo {
 namespace {
 
 constexpr std::string_view nameStart = ".odograph-", nameEnd = ".part", nameLetters = "abcdefghijklmnopqrstuvwxyz234567";
-constexpr std::size_t randomLetters = 12;
+constexpr std::size_t lettersOfName = 12;
 constexpr std::time_t longestWritingS = 24 * 3600; // where the file system knows no locks
 
 /// Empty, with errno, where the system has no random numbers.
 std::string randomName()
 {
-    std::array<unsigned char, randomLetters> bytes{};
-    if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-        return {};
-    std::string name(nameStart);
-    for (const unsigned char byte : bytes)
-        name += nameLetters[byte % nameLetters.size()];
-    return name += nameEnd;
-}
-
-bool isAt(const std::filesystem::path &path, int descriptor)
-{
-    struct stat open
-    {
-    }, there{};
-    return ::fstat(descriptor, &open) == 0 && ::lstat(path.c_str(), &there) == 0 && open.st_ino == there.st_ino &&
-           open.st_dev == there.st_dev;
+    const std::string letters = randomLetters(lettersOfName);
+    return letters.empty() ? letters : std::string(nameStart) + letters + std::string(nameEnd);
 }
 
 void removeAll(const std::filesystem::path &path)
@@ -128,9 +113,9 @@ Result<std::pair<std::filesystem::path, int>> madeIn(const std::filesystem::path
 bool isTemporaryName(const std::filesystem::path &name)
 {
     const std::string text = name.string();
-    if (text.size() != nameStart.size() + randomLetters + nameEnd.size() || !text.starts_with(nameStart) || !text.ends_with(nameEnd))
+    if (text.size() != nameStart.size() + lettersOfName + nameEnd.size() || !text.starts_with(nameStart) || !text.ends_with(nameEnd))
         return false;
-    return std::string_view(text).substr(nameStart.size(), randomLetters).find_first_not_of(nameLetters) == std::string_view::npos;
+    return std::string_view(text).substr(nameStart.size(), lettersOfName).find_first_not_of(nameLetters) == std::string_view::npos;
 }
 
 bool syncToDisk(const std::filesystem::path &path)
@@ -145,6 +130,26 @@ bool syncToDisk(const std::filesystem::path &path)
     return written;
 }
 
+namespace {
+
+/// The name is made somebody's first, by something that the renaming replaces. 0, or errno.
+int takePlace(const std::filesystem::path &from, const std::filesystem::path &to)
+{
+    const bool isFolder = files::kindOfItself(from) == files::Kind::Folder;
+    const int place = isFolder ? ::mkdir(to.c_str(), 0700) : ::open(to.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC | O_NOFOLLOW, 0600);
+    if (place < 0)
+        return errno;
+    if (!isFolder)
+        ::close(place);
+    if (::rename(from.c_str(), to.c_str()) == 0)
+        return 0;
+    const int failed = errno;
+    std::remove(to.c_str());
+    return failed;
+}
+
+} // namespace
+
 int giveFreeName(const std::filesystem::path &from, const std::filesystem::path &to)
 {
     // A hard link fails where a file is, unlike a rename. Not every file system (a USB stick's FAT) knows links.
@@ -158,12 +163,7 @@ int giveFreeName(const std::filesystem::path &from, const std::filesystem::path 
         return 0;
     if (errno != EINVAL && errno != ENOSYS)
         return errno;
-    struct stat there
-    {
-    };
-    if (::lstat(to.c_str(), &there) == 0)
-        return EEXIST;
-    return ::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
+    return takePlace(from, to);
 }
 
 TemporaryFile::TemporaryFile(std::filesystem::path path, int descriptor, std::string what)

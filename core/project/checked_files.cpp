@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/checked_files.h"
 
+#include "core/files/protected_files.h"
 #include "core/project/recording_rows.h"
 
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
@@ -14,11 +14,9 @@ namespace odo {
 
 namespace {
 
-using FileId = std::pair<std::uint64_t, std::uint64_t>; ///< device and inode
-
 struct FileOnDisk
 {
-    FileId id;
+    FileIdentity id;
     std::int64_t bytes = 0;
 };
 
@@ -59,12 +57,12 @@ public:
     Result<void> compareHashes()
     {
         std::int64_t all = 0, done = 0;
-        std::set<FileId> counted;
+        std::set<FileIdentity> counted;
         for (const KeptFile *kept : m_whole) {
             const FileOnDisk &file = *m_onDisk[kept->file];
             all += counted.insert(file.id).second ? file.bytes : 0;
         }
-        std::map<FileId, std::string> hashes; ///< empty: it cannot be read
+        std::map<FileIdentity, std::string> hashes; ///< empty: it cannot be read
         for (const KeptFile *kept : m_whole) {
             const FileOnDisk &file = *m_onDisk[kept->file];
             const auto [known, isNew] = hashes.try_emplace(file.id);

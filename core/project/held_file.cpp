@@ -2,30 +2,16 @@
 #include "core/project/held_file.h"
 
 #include "core/base/file_system.h"
+#include "core/files/descriptor.h"
 
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 namespace odo {
-
-namespace {
-
-/// Whether the path still leads to the file that is open: whoever gave it up may have removed it meanwhile.
-bool isAt(const std::filesystem::path &file, int descriptor)
-{
-    struct stat open
-    {
-    }, there{};
-    return ::fstat(descriptor, &open) == 0 && ::stat(file.c_str(), &there) == 0 &&
-           open.st_ino == there.st_ino && open.st_dev == there.st_dev;
-}
-
-} // namespace
 
 HeldFile::HeldFile(std::filesystem::path file, Afterwards afterwards, int descriptor)
     : m_file(std::move(file)), m_afterwards(afterwards), m_descriptor(descriptor)
@@ -45,7 +31,7 @@ Result<std::unique_ptr<HeldFile>> HeldFile::take(const std::filesystem::path &fi
             ::close(descriptor);
             return nullptr;
         }
-        if (!isAt(file, descriptor)) {
+        if (!isAt(file, descriptor)) { // whoever gave it up may have removed it meanwhile
             ::close(descriptor);
             continue;
         }

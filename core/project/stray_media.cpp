@@ -2,7 +2,6 @@
 #include "core/project/stray_media.h"
 
 #include "core/base/file_system.h"
-#include "core/files/protected_files.h"
 #include "core/project/file_header.h"
 #include "core/project/held_file.h"
 #include "core/project/recording_lock.h"
@@ -96,13 +95,13 @@ void ReferredFiles::add(const std::filesystem::path &project, const std::string 
     if (path.empty())
         return;
     if (const auto identity = identityOf(absolutePath(project, path)))
-        m_files.emplace(identity->device, identity->inode);
+        m_files.insert(*identity);
 }
 
 bool ReferredFiles::contains(const std::filesystem::path &file) const
 {
     const auto identity = identityOf(file);
-    return identity && m_files.contains({identity->device, identity->inode});
+    return identity && m_files.contains(*identity);
 }
 
 Result<ReferredFiles> filesUsedBeside(const std::filesystem::path &project)

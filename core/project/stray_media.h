@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/files/protected_files.h"
 #include "core/project/project.h"
 
-#include <cstdint>
 #include <filesystem>
 #include <set>
-#include <utility>
 #include <vector>
 
 namespace odo {
@@ -21,7 +20,7 @@ public:
     bool contains(const std::filesystem::path &file) const;
 
 private:
-    std::set<std::pair<std::uint64_t, std::uint64_t>> m_files; ///< device and inode
+    std::set<FileIdentity> m_files;
 };
 
 /// What the other projects in the folder of a project refer to: a copy of a project uses the first one's media. Error where one of them cannot

@@ -2,10 +2,10 @@
 #include "core/workflow/calibration_media.h"
 
 #include "core/base/file_system.h"
+#include "core/base/sha256.h"
 #include "core/video/picture_writer.h"
 #include "core/workflow/media_copy.h"
 
-#include <QCryptographicHash>
 
 namespace odo {
 
@@ -33,16 +33,15 @@ Result<StoredPicture> CalibrationMedia::write(const std::string &name, const std
 {
     if (png.empty() || m_bytes + png.size() > mostBytes)
         return StoredPicture{};
-    const QByteArrayView bytes(png.data(), static_cast<qsizetype>(png.size()));
-    auto file = writeMediaFile(m_folder, name, ".png", {bytes.data(), png.size()}, "calibration picture '" + name + "'");
+    auto file = writeMediaFile(m_folder, name, ".png", {reinterpret_cast<const char *>(png.data()), png.size()}, "calibration picture '" + name + "'");
     if (!file)
         return tl::unexpected(file.error());
     const std::string path = files::absolute(file->path()).string();
     m_files.push_back(std::move(*file));
     m_bytes += png.size();
-    QCryptographicHash hash(QCryptographicHash::Sha256);
-    hash.addData(bytes);
-    return StoredPicture{path, hash.result().toHex().toStdString(), bytes.size()};
+    Sha256 hash;
+    hash.add(png.data(), png.size());
+    return StoredPicture{path, hash.hex(), static_cast<std::int64_t>(png.size())};
 }
 
 void CalibrationMedia::keep()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/claimed_file.h"
+#include "core/files/claimed_file.h"
 #include "core/capture/capture_session.h"
 #include "core/project/recording_lock.h"
 #include "core/project/records.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/claimed_file.h"
+#include "core/files/claimed_file.h"
 #include "core/base/error.h"
 #include "core/base/job_control.h"
 

@@ -16,7 +16,6 @@ class TestOneWay : public QObject
             {QStringLiteral("core/base/crash_handler.cpp"), QStringLiteral("a crash report, which has no name before the crash")},
             {QStringLiteral("core/exchange/project_archive.cpp"), QStringLiteral("what is unpacked, in a TemporaryFolder")},
             {QStringLiteral("app/workbench.cpp"), QStringLiteral("asks Qt which kinds of pictures it writes, and writes none")},
-            {QStringLiteral("core/base/claimed_file.cpp"), QStringLiteral("new files in the media folder")},
             {QStringLiteral("core/project/log_copy.cpp"), QStringLiteral("a copy to be read, in the folder for temporary files")},
             {QStringLiteral("core/project/held_file.cpp"), QStringLiteral("locks")},
             {QStringLiteral("core/project/new_file.cpp"), QStringLiteral("a database, in a TemporaryFolder")},

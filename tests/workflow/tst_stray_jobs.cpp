@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/claimed_file.h"
+#include "core/files/claimed_file.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/project/stray_media.h"

@@ -46,7 +46,6 @@ public:
 private:
     enum class Made { Here, Before };
     ClaimedFile(std::filesystem::path path, int descriptor, Made made);
-    bool isAt(const std::filesystem::path &path) const;
     void close();
 
     std::filesystem::path m_path;
