@@ -63,7 +63,7 @@ AnnotatedPicture::AnnotatedPicture(TrialScenePtr scene, AnnotatedLook look)
     m_plan = {m_scene->floorBounds(), m_map.size()};
     if (m_chart.isEmpty())
         return;
-    std::vector<std::vector<double>> places;
+    SamplePlaces places;
     for (const SceneRobot &robot : m_scene->robots)
         places.push_back(robot.analysis ? sampleTimes(robot.analysis->profile) : std::vector<double>());
     m_curves = TrialCurves(m_scene, Quantity::Speed, places);

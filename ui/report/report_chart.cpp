@@ -28,14 +28,6 @@ QString titleOf(Quantity quantity)
                : ReportChartWords::tr("Acceleration along the path, %1").arg(curveUnit(quantity));
 }
 
-std::vector<double> timesOf(const Profile &profile)
-{
-    std::vector<double> times;
-    for (const Sample &sample : profile.samples)
-        times.push_back(toSeconds(sample.time));
-    return times;
-}
-
 /// Slanted lines over the time of the spikes: they survive a copier.
 void drawHatch(QPainter &painter, const ChartPlot &plot, double from, double to)
 {
@@ -93,10 +85,9 @@ void drawRunChart(QPainter &painter, const QRectF &rect, const Profile &profile,
     const QRectF room =
         drawPartTitle(painter, rect, titleOf(quantity),
                       ReportChartWords::tr("smoothed, with its ±95 % band; dots: as measured"));
-    const std::vector<double> times = timesOf(profile);
-    const auto values = curveValues(profile, quantity);
-    std::vector<CurveRun> runs = curveRuns(values, quantity, times);
-    std::erase_if(runs, [](const CurveRun &run) { return run.line.size() < 2; });
+    const std::vector<double> times = sampleTimes(profile);
+    std::vector<CurveRun> runs = curveRuns(curveValues(profile, quantity), times);
+    std::erase_if(runs, [](const CurveRun &run) { return !run.isLine(); });
     if (runs.empty()) {
         drawLine(painter, room, ReportChartWords::tr("No curve: the robot was not seen"),
                  reportFont(bodySize), colours.muted, Qt::AlignCenter);

@@ -63,7 +63,7 @@ void ChartSpan::setAgainst(Against against)
 
 void ChartSpan::makePlaces()
 {
-    m_places.clear();
+    auto all = std::make_shared<SamplePlaces>();
     m_wholeLow = m_wholeHigh = 0;
     for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot) {
         std::vector<double> places;
@@ -73,8 +73,9 @@ void ChartSpan::makePlaces()
             if (m_against == Against::Distance && !places.empty())
                 m_wholeHigh = std::max(m_wholeHigh, places.back());
         }
-        m_places.push_back(std::move(places));
+        all->push_back(std::move(places));
     }
+    m_places = std::move(all);
     if (m_against == Against::Time && m_scene && !m_scene->frameTimes().empty()) {
         m_wholeLow = toSeconds(m_scene->frameTimes().front());
         m_wholeHigh = toSeconds(m_scene->frameTimes().back());
@@ -125,18 +126,18 @@ void ChartSpan::followTime()
 
 std::size_t ChartSpan::firstTracked() const
 {
-    const auto tracked = std::find_if(m_places.begin(), m_places.end(),
+    const auto tracked = std::find_if(m_places->begin(), m_places->end(),
                                       [](const std::vector<double> &places) { return !places.empty(); });
-    return static_cast<std::size_t>(tracked - m_places.begin());
+    return static_cast<std::size_t>(tracked - m_places->begin());
 }
 
 double ChartSpan::placeOf(std::size_t robot, Nanoseconds time) const
 {
     if (m_against == Against::Time)
         return toSeconds(time);
-    if (robot >= m_places.size() || m_places[robot].empty())
+    if (robot >= m_places->size() || m_places->at(robot).empty())
         return 0;
-    const std::vector<double> &places = m_places[robot];
+    const std::vector<double> &places = m_places->at(robot);
     const std::vector<Sample> &samples = m_scene->robots[robot].analysis->profile.samples;
     const auto after =
         std::upper_bound(samples.begin(), samples.end(), time,
@@ -159,9 +160,9 @@ double ChartSpan::cursorPlace(Nanoseconds time) const
 Nanoseconds ChartSpan::timeAt(double place) const
 {
     const std::size_t robot = firstTracked();
-    if (m_against == Against::Time || robot >= m_places.size())
+    if (m_against == Against::Time || robot >= m_places->size())
         return fromSeconds(place);
-    const std::vector<double> &places = m_places[robot];
+    const std::vector<double> &places = m_places->at(robot);
     const auto at = std::lower_bound(places.begin(), places.end(), place);
     const auto index = std::min(at - places.begin(), static_cast<std::ptrdiff_t>(places.size()) - 1);
     return m_scene->robots[robot].analysis->profile.samples[static_cast<std::size_t>(index)].time;

@@ -5,6 +5,7 @@
 
 #include <QList>
 #include <QObject>
+#include <memory>
 #include <vector>
 
 class QAction;
@@ -12,6 +13,9 @@ class QAction;
 namespace odo {
 
 class Timeline;
+
+/// Where each sample of each robot lies on the axis below, a list a robot; they never fall. Empty for a robot that was not tracked.
+using SamplePlaces = std::vector<std::vector<double>>;
 
 /// What of a run the charts of a page show: against the time (seconds) or against the way driven (metres),
 /// and from where to where. One for all charts of a page, so that they stand below one another. When the
@@ -43,10 +47,7 @@ public:
     void showAll() { show(m_wholeLow, m_wholeHigh); }
     bool showsAll() const { return m_low <= m_wholeLow && m_high >= m_wholeHigh; }
 
-    /// Where each sample of a robot lies; they never fall. Empty for a robot that was not tracked.
-    const std::vector<double> &places(std::size_t robot) const { return m_places.at(robot); }
-    /// Of all robots.
-    const std::vector<std::vector<double>> &places() const { return m_places; }
+    const std::shared_ptr<const SamplePlaces> &places() const { return m_places; }
     /// Where a robot is at a time, straight between its samples; of one that was not tracked the time itself,
     /// or 0.
     double placeOf(std::size_t robot, Nanoseconds time) const;
@@ -71,7 +72,7 @@ private:
     TrialScenePtr m_scene;
     Against m_against = Against::Time;
     double m_wholeLow = 0, m_wholeHigh = 1, m_low = 0, m_high = 1;
-    std::vector<std::vector<double>> m_places; ///< a robot
+    std::shared_ptr<const SamplePlaces> m_places = std::make_shared<SamplePlaces>();
     QList<QAction *> m_actions;
     QAction *m_distance = nullptr;
 };

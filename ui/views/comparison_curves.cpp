@@ -25,18 +25,12 @@ DistanceCurve curveOf(const ComparisonScene &scene, std::size_t run, bool isNeve
             continue;
         }
         const bool faint = !isNeverNegative && !value->isSignificant();
-        const double x = comparison.distanceM(station), reach = significanceFactor * value->sigma;
-        const double lower = value->value - reach;
-        const auto append = [&](CurveRun &to) {
-            to.line.append({x, value->value});
-            to.upper.append({x, value->value + reach});
-            to.lower.append({x, isNeverNegative ? std::max(0.0, lower) : lower});
-        };
+        const BandPoint point(comparison.distanceM(station), {value->value, value->sigma});
         if (isOpen && curve.stretches.back().faint != faint)
-            append(curve.stretches.back().curve);
+            curve.stretches.back().curve.points.push_back(point);
         if (!isOpen || curve.stretches.back().faint != faint)
             curve.stretches.push_back({{}, faint});
-        append(curve.stretches.back().curve);
+        curve.stretches.back().curve.points.push_back(point);
         isOpen = true;
     }
     return curve;

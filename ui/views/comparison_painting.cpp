@@ -46,9 +46,9 @@ ChartPlot comparedPlot(const QRectF &rect, const ComparisonScene *scene, Compare
     double low = 0, high = 0;
     for (const DistanceCurve &curve : curves)
         for (const DistanceCurve::Stretch &stretch : curve.stretches)
-            for (const QPointF &point : stretch.curve.line) {
-                low = std::min(low, point.y());
-                high = std::max(high, point.y());
+            for (const BandPoint &point : stretch.curve.points) {
+                low = std::min(low, double(point.value));
+                high = std::max(high, double(point.value));
             }
     if (high - low < 1e-3)
         high = low + (what == Compared::Speed ? 1 : 0.1);

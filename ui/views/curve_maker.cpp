@@ -22,7 +22,7 @@ CurveMaker::CurveMaker(QObject *parent) : QObject(parent)
     connect(&m_task, &BackgroundTask::finished, this, &CurveMaker::finish);
 }
 
-void CurveMaker::make(TrialScenePtr scene, Quantity quantity, std::vector<std::vector<double>> places)
+void CurveMaker::make(TrialScenePtr scene, Quantity quantity, std::shared_ptr<const SamplePlaces> places)
 {
     m_wanted.reset();
     m_curves = {};
@@ -31,7 +31,7 @@ void CurveMaker::make(TrialScenePtr scene, Quantity quantity, std::vector<std::v
         begin();
         return;
     }
-    m_curves = TrialCurves(std::move(scene), quantity, places);
+    m_curves = TrialCurves(std::move(scene), quantity, *places);
 }
 
 void CurveMaker::begin()
@@ -40,7 +40,7 @@ void CurveMaker::begin()
         return;
     m_running = m_wanted;
     m_task.start([request = m_running](const JobControl &) -> Result<void> {
-        request->curves = TrialCurves(request->scene, request->quantity, request->places);
+        request->curves = TrialCurves(request->scene, request->quantity, *request->places);
         return {};
     });
 }

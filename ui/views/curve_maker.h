@@ -22,7 +22,7 @@ public:
 
     explicit CurveMaker(QObject *parent = nullptr);
     /// scene: null clears. made() follows where it takes a thread.
-    void make(TrialScenePtr scene, Quantity quantity, std::vector<std::vector<double>> places);
+    void make(TrialScenePtr scene, Quantity quantity, std::shared_ptr<const SamplePlaces> places);
     /// What was made last; empty while something is being made.
     const TrialCurves &curves() const { return m_curves; }
     bool isRunning() const { return m_wanted != nullptr; }
@@ -35,7 +35,7 @@ private:
     {
         TrialScenePtr scene;
         Quantity quantity = Quantity::Speed;
-        std::vector<std::vector<double>> places;
+        std::shared_ptr<const SamplePlaces> places;
         TrialCurves curves; ///< once it has run
     };
     void begin();

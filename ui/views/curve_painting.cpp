@@ -6,7 +6,9 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace odo {
@@ -16,19 +18,14 @@ namespace {
 constexpr double lineWidth = 1.8, dotWidth = 2.6;
 constexpr int hazeAlpha = 60;
 
-/// The first point at or beyond x, and one before it where there is one.
-qsizetype firstVisible(const QList<QPointF> &points, double x)
-{
-    const auto at = std::lower_bound(points.begin(), points.end(), x,
-                                     [](const QPointF &point, double low) { return point.x() < low; });
-    return std::max<qsizetype>(0, at - points.begin() - 1);
-}
+using BandPoints = std::span<const BandPoint>;
 
-qsizetype endOfVisible(const QList<QPointF> &points, double x)
+/// Those between low and high, and the next one on either side.
+BandPoints visibleOf(const std::vector<BandPoint> &points, double low, double high)
 {
-    const auto at = std::upper_bound(points.begin(), points.end(), x,
-                                     [](double high, const QPointF &point) { return high < point.x(); });
-    return std::min(points.size(), at - points.begin() + 1);
+    const auto inside = std::lower_bound(points.begin(), points.end(), low, [](const BandPoint &point, double x) { return point.x < x; });
+    const auto beyond = std::upper_bound(points.begin(), points.end(), high, [](double x, const BandPoint &point) { return x < point.x; });
+    return {inside == points.begin() ? inside : inside - 1, beyond == points.end() ? beyond : beyond + 1};
 }
 
 struct Column
@@ -44,28 +41,26 @@ int columnCount(const ChartPlot &plot)
 }
 
 /// Of each pixel column the extremes of line and band; neighbours reach one another.
-std::vector<Column> columnsOf(const ChartPlot &plot, const CurveRun &run, qsizetype from, qsizetype to)
+std::vector<Column> columnsOf(const ChartPlot &plot, BandPoints points)
 {
     const int count = columnCount(plot);
     std::vector<Column> columns(static_cast<std::size_t>(count));
-    const QPointF *line = run.line.constData(), *lower = run.lower.constData(),
-                  *upper = run.upper.constData();
     const double step = (plot.high - plot.low) / (plot.rect.width() * plot.fineness);
-    qsizetype i = from;
-    while (i < to && line[i].x() < plot.low)
-        ++i;
-    for (int index = 0; index < count && i < to; ++index) {
+    auto point = points.begin();
+    while (point != points.end() && point->x < plot.low)
+        ++point;
+    for (int index = 0; index < count && point != points.end(); ++index) {
         const double edge = plot.low + (index + 1) * step;
-        if (line[i].x() >= edge)
+        if (point->x >= edge)
             continue;
         Column column;
-        const double before = line[i > from ? i - 1 : i].y();
-        column.low = column.high = before;
-        for (; i < to && line[i].x() < edge; ++i) {
-            column.low = line[i].y() < column.low ? line[i].y() : column.low;
-            column.high = line[i].y() > column.high ? line[i].y() : column.high;
-            column.bandLow = lower[i].y() < column.bandLow ? lower[i].y() : column.bandLow;
-            column.bandHigh = upper[i].y() > column.bandHigh ? upper[i].y() : column.bandHigh;
+        column.low = column.high = double((point == points.begin() ? point : point - 1)->value);
+        for (; point != points.end() && point->x < edge; ++point) {
+            const double value = double(point->value), low = point->low(), high = point->high();
+            column.low = value < column.low ? value : column.low;
+            column.high = value > column.high ? value : column.high;
+            column.bandLow = low < column.bandLow ? low : column.bandLow;
+            column.bandHigh = high > column.bandHigh ? high : column.bandHigh;
         }
         columns[static_cast<std::size_t>(index)] = column;
     }
@@ -102,20 +97,20 @@ void drawColumns(QPainter &painter, const ChartPlot &plot, const std::vector<Col
     painter.setRenderHint(QPainter::Antialiasing);
 }
 
-QPolygonF placed(const QList<QPointF> &points, const ChartPlot &plot, qsizetype from, qsizetype to)
+template <class Value>
+QPolygonF placed(BandPoints points, const ChartPlot &plot, const Value &value)
 {
     QPolygonF places;
-    places.reserve(to - from);
-    for (qsizetype i = from; i < to; ++i)
-        places << plot.at(points[i].x(), points[i].y());
+    places.reserve(static_cast<qsizetype>(points.size()));
+    for (const BandPoint &point : points)
+        places << plot.at(point.x, std::invoke(value, point));
     return places;
 }
 
-void drawLine(QPainter &painter, const ChartPlot &plot, const CurveRun &run, qsizetype from, qsizetype to,
-              const CurvePen &pen)
+void drawLine(QPainter &painter, const ChartPlot &plot, BandPoints points, const CurvePen &pen)
 {
-    QPolygonF band = placed(run.upper, plot, from, to);
-    const QPolygonF lower = placed(run.lower, plot, from, to);
+    QPolygonF band = placed(points, plot, &BandPoint::high);
+    const QPolygonF lower = placed(points, plot, &BandPoint::low);
     std::copy(lower.crbegin(), lower.crend(), std::back_inserter(band));
     QColor haze = pen.colour;
     haze.setAlpha(hazeAlpha);
@@ -125,22 +120,22 @@ void drawLine(QPainter &painter, const ChartPlot &plot, const CurveRun &run, qsi
     painter.drawPolygon(band);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(pen.colour, lineWidth, pen.dash, Qt::RoundCap, Qt::RoundJoin));
-    painter.drawPolyline(placed(run.line, plot, from, to));
+    painter.drawPolyline(placed(points, plot, &BandPoint::value));
 }
 
 } // namespace
 
 void drawCurveRun(QPainter &painter, const ChartPlot &plot, const CurveRun &run, const CurvePen &pen)
 {
-    const qsizetype from = firstVisible(run.line, plot.low), to = endOfVisible(run.line, plot.high);
-    if (from >= to || plot.rect.width() < 1)
+    const BandPoints points = visibleOf(run.points, plot.low, plot.high);
+    if (points.empty() || plot.rect.width() < 1)
         return;
     painter.save();
     painter.setClipRect(plot.rect);
-    if (to - from > columnCount(plot))
-        drawColumns(painter, plot, columnsOf(plot, run, from, to), pen);
+    if (points.size() > static_cast<std::size_t>(columnCount(plot)))
+        drawColumns(painter, plot, columnsOf(plot, points), pen);
     else
-        drawLine(painter, plot, run, from, to, pen);
+        drawLine(painter, plot, points, pen);
     painter.restore();
 }
 

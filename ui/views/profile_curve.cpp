@@ -56,32 +56,33 @@ double curveFactor(Quantity quantity)
 std::vector<double> sampleTimes(const Profile &profile)
 {
     std::vector<double> times;
+    times.reserve(profile.samples.size());
     for (const Sample &sample : profile.samples)
         times.push_back(toSeconds(sample.time));
     return times;
 }
 
-std::vector<CurveRun> curveRuns(const std::vector<std::optional<CurveValue>> &values, Quantity quantity,
-                                const std::vector<double> &places)
+BandPoint::BandPoint(double place, const CurveValue &curveValue)
+    : x(place), value(float(curveValue.value)), reach(float(band95 * curveValue.sigma))
+{
+}
+
+CurveValue BandPoint::curveValue() const
+{
+    return {double(value), double(reach) / band95};
+}
+
+std::vector<CurveRun> curveRuns(const std::vector<std::optional<CurveValue>> &values, const std::vector<double> &places)
 {
     std::vector<CurveRun> runs;
-    bool open = false;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (!values[i]) {
-            open = false;
-            continue;
-        }
-        if (!open)
-            runs.emplace_back();
-        open = true;
-        const CurveValue value = *values[i];
-        const double place = places[i], reach = band95 * value.sigma;
-        CurveRun &run = runs.back();
-        run.line.append({place, value.value});
-        run.upper.append({place, value.value + reach});
-        // A speed is not negative, whatever its σ.
-        run.lower.append(
-            {place, quantity == Quantity::Speed ? std::max(0.0, value.value - reach) : value.value - reach});
+    const auto exists = [](const std::optional<CurveValue> &value) { return value.has_value(); };
+    for (auto begin = std::find_if(values.begin(), values.end(), exists); begin != values.end();) {
+        const auto end = std::find_if_not(begin, values.end(), exists);
+        CurveRun &run = runs.emplace_back(CurveRun{static_cast<std::size_t>(begin - values.begin()), {}});
+        run.points.reserve(static_cast<std::size_t>(end - begin));
+        for (auto value = begin; value != end; ++value)
+            run.points.emplace_back(places[static_cast<std::size_t>(value - values.begin())], **value);
+        begin = std::find_if(end, values.end(), exists);
     }
     return runs;
 }
@@ -89,18 +90,19 @@ std::vector<CurveRun> curveRuns(const std::vector<std::optional<CurveValue>> &va
 ValueRange valueRange(const std::vector<const CurveRun *> &runs, Quantity quantity)
 {
     const bool isPlace = quantity == Quantity::PositionX || quantity == Quantity::PositionY;
-    double low = isPlace && !runs.empty() ? runs.front()->line.front().y() : 0, high = low;
+    double low = isPlace && !runs.empty() ? runs.front()->points.front().value : 0, high = low;
     for (const CurveRun *run : runs)
-        for (const QPointF &point : run->line) {
-            low = std::min(low, point.y());
-            high = std::max(high, point.y());
+        for (const BandPoint &point : run->points) {
+            low = std::min(low, double(point.value));
+            high = std::max(high, double(point.value));
         }
     const double room = 0.25 * std::max(1e-3, high - low);
-    const double lineLow = low, lineHigh = high;
+    // A speed is not negative, whatever its σ.
+    const double least = quantity == Quantity::Speed ? std::max(0.0, low - room) : low - room, most = high + room;
     for (const CurveRun *run : runs)
-        for (qsizetype i = 0; i < run->line.size(); ++i) {
-            low = std::min(low, std::max(run->lower[i].y(), lineLow - room));
-            high = std::max(high, std::min(run->upper[i].y(), lineHigh + room));
+        for (const BandPoint &point : run->points) {
+            low = std::min(low, std::max(point.low(), least));
+            high = std::max(high, std::min(point.high(), most));
         }
     return {low, high - low < 1e-6 ? low + 1 : high};
 }
@@ -109,6 +111,7 @@ QList<QPointF> measuredPoints(const Profile &profile, Quantity quantity, const s
 {
     QList<QPointF> points;
     const auto values = measuredValues(profile, quantity);
+    points.reserve(std::count_if(values.begin(), values.end(), [](const std::optional<CurveValue> &value) { return value.has_value(); }));
     for (std::size_t i = 0; i < values.size(); ++i)
         if (values[i])
             points.append({places[i], curveFactor(quantity) * values[i]->value});

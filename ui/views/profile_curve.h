@@ -20,14 +20,26 @@ double curveFactor(Quantity quantity);
 /// When each sample was taken, in seconds: its place where the axis below is the time.
 std::vector<double> sampleTimes(const Profile &profile);
 
-/// A stretch without gaps. x: the places of the samples, y: as of curveValues.
+/// A point of a curve with its 95 % band (1.96 σ), in single precision: a trial may have a million of them.
+struct BandPoint
+{
+    BandPoint(double place, const CurveValue &curveValue);
+    double x; ///< the place on the axis below
+    float value, reach;
+    double low() const { return double(value) - double(reach); }
+    double high() const { return double(value) + double(reach); }
+    CurveValue curveValue() const;
+};
+
+/// A stretch without gaps: one point a sample, from firstSample on.
 struct CurveRun
 {
-    QList<QPointF> line, upper, lower; ///< of equal length; the 95 % band (1.96 σ)
+    std::size_t firstSample = 0;
+    std::vector<BandPoint> points;
+    bool isLine() const { return points.size() >= 2; }
 };
 /// values: curveValues of the quantity. places: one a sample (ChartSpan::places).
-std::vector<CurveRun> curveRuns(const std::vector<std::optional<CurveValue>> &values, Quantity quantity,
-                                const std::vector<double> &places);
+std::vector<CurveRun> curveRuns(const std::vector<std::optional<CurveValue>> &values, const std::vector<double> &places);
 
 /// From the lowest to the highest value of curves, with their bands as long as those do not press the curves
 /// flat; 0 is contained unless they are places.

@@ -4,69 +4,63 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace odo {
 
-namespace {
-
-/// The directions in which a straight line may go from an anchor so that it passes all points seen since.
-class Cone
+bool LineSimplifier::Cone::takes(const QPointF &point, double tolerance)
 {
-public:
-    Cone(const QPointF &anchor, double tolerance) : m_anchor(anchor), m_tolerance(tolerance) {}
-
-    /// False, and unchanged, where no line to this point keeps all points before it.
-    bool takes(const QPointF &point)
-    {
-        const QPointF apart = point - m_anchor;
-        const double distance = std::hypot(apart.x(), apart.y());
-        if (distance + m_tolerance < m_farthest) // it goes back: the turning point must stay
+    const QPointF apart = point - m_anchor;
+    const double distance = std::hypot(apart.x(), apart.y());
+    if (distance + tolerance < m_farthest) // it goes back: the turning point must stay
+        return false;
+    if (distance <= tolerance)
+        return !m_isOpen; // within reach of any line from here
+    const double angle = std::atan2(apart.y(), apart.x());
+    const double reach = std::asin(std::min(1.0, tolerance / distance));
+    if (!m_isOpen) {
+        m_isOpen = true;
+        m_middle = angle;
+        m_low = -reach;
+        m_high = reach;
+    } else {
+        const double turned = std::remainder(angle - m_middle, 2 * std::numbers::pi);
+        if (turned < m_low || turned > m_high)
             return false;
-        if (distance <= m_tolerance)
-            return !m_isOpen; // within reach of any line from here
-        const double angle = std::atan2(apart.y(), apart.x());
-        const double reach = std::asin(std::min(1.0, m_tolerance / distance));
-        if (!m_isOpen) {
-            m_isOpen = true;
-            m_middle = angle;
-            m_low = -reach;
-            m_high = reach;
-        } else {
-            const double turned = std::remainder(angle - m_middle, 2 * std::numbers::pi);
-            if (turned < m_low || turned > m_high)
-                return false;
-            m_low = std::max(m_low, turned - reach);
-            m_high = std::min(m_high, turned + reach);
-        }
-        m_farthest = std::max(m_farthest, distance);
-        return true;
+        m_low = std::max(m_low, turned - reach);
+        m_high = std::min(m_high, turned + reach);
     }
+    m_farthest = std::max(m_farthest, distance);
+    return true;
+}
 
-private:
-    QPointF m_anchor;
-    double m_tolerance, m_farthest = 0;
-    bool m_isOpen = false;                      ///< a first direction is known
-    double m_middle = 0, m_low = 0, m_high = 0; ///< radians; the bounds from the middle
-};
+void LineSimplifier::add(const QPointF &point)
+{
+    if (m_kept.isEmpty()) {
+        m_kept << point;
+        m_cone = Cone(point);
+    } else if (m_isLine = true; !m_cone.takes(point, m_tolerance)) {
+        m_kept << m_last;
+        m_cone = Cone(m_last);
+        m_cone.takes(point, m_tolerance);
+    }
+    m_last = point;
+}
 
-} // namespace
+QPolygonF LineSimplifier::take()
+{
+    if (m_isLine)
+        m_kept << m_last;
+    m_isLine = false;
+    return std::exchange(m_kept, {});
+}
 
 QPolygonF simplified(const QPolygonF &line, double tolerance)
 {
-    if (line.size() < 3)
-        return line;
-    QPolygonF kept;
-    kept << line.front();
-    Cone cone(line.front(), tolerance);
-    for (qsizetype i = 1; i < line.size(); ++i) {
-        if (cone.takes(line[i]))
-            continue;
-        kept << line[i - 1];
-        cone = Cone(line[i - 1], tolerance);
-        cone.takes(line[i]);
-    }
-    kept << line.back();
-    return kept;
+    LineSimplifier simplifier(tolerance);
+    for (const QPointF &point : line)
+        simplifier.add(point);
+    return simplifier.take();
 }
 
 } // namespace odo

@@ -24,12 +24,22 @@ class TrailPaintingWords
     Q_DECLARE_TR_FUNCTIONS(TrailPainting)
 };
 
-/// A stretch of one colour.
-struct Piece
+constexpr double tolerancePx = 0.2; // less cannot be seen, and strokes cost by the point
+
+/// The way of the smoothed positions, in stretches without gaps.
+QPainterPath wayOf(const Profile &profile, const MapPlan &plan)
 {
-    QPolygonF line;
-    int colour = 0;
-};
+    QPainterPath way;
+    LineSimplifier run(tolerancePx);
+    for (const ProfilePoint &point : profile.points) {
+        if (point.valid)
+            run.add(plan.fromWorld(point.position));
+        else
+            way.addPolygon(run.take());
+    }
+    way.addPolygon(run.take());
+    return way;
+}
 
 } // namespace
 
@@ -50,36 +60,29 @@ double topSpeedMps(const TrialScene &scene)
 void drawSpeedTrail(QPainter &painter, const MapPlan &plan, const Profile &profile, double topMps,
                     const QPalette &palette)
 {
-    constexpr double tolerancePx = 0.2; // less cannot be seen, and strokes cost by the point
-    std::vector<Piece> pieces;
-    QPainterPath whole;
-    QPolygonF run;
-    const auto endRun = [&] {
-        whole.addPolygon(simplified(run, tolerancePx));
-        run.clear();
+    const QColor rim = isDark(palette) ? QColor(235, 238, 240, 150) : QColor(25, 30, 35, 110);
+    painter.strokePath(wayOf(profile, plan), QPen(rim, 5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    LineSimplifier piece(tolerancePx); // a stretch of one colour
+    int pieceColour = 0;
+    const auto drawPiece = [&] {
+        painter.setPen(QPen(scaleColour(double(pieceColour) / colourSteps), 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.drawPolyline(piece.take());
     };
     for (const ProfilePoint &point : profile.points) {
         if (!point.valid) {
-            endRun();
+            drawPiece();
             continue;
         }
-        const double part = topMps > 0 ? point.speedMps / topMps : 0;
-        const int colour = static_cast<int>(std::lround(colourSteps * part));
-        const QPointF at = plan.fromWorld(point.position);
-        if (!run.isEmpty() && pieces.back().colour == colour)
-            pieces.back().line << at;
-        else
-            pieces.push_back({run.isEmpty() ? QPolygonF({at}) : QPolygonF({run.back(), at}), colour});
-        run << at;
+        const int colour = static_cast<int>(std::lround(topMps > 0 ? colourSteps * point.speedMps / topMps : 0));
+        if (!piece.isEmpty() && colour != pieceColour) {
+            const QPointF joint = piece.last();
+            drawPiece();
+            piece.add(joint);
+        }
+        pieceColour = colour;
+        piece.add(plan.fromWorld(point.position));
     }
-    endRun();
-    const QColor rim = isDark(palette) ? QColor(235, 238, 240, 150) : QColor(25, 30, 35, 110);
-    painter.strokePath(whole, QPen(rim, 5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    for (const Piece &piece : pieces) {
-        painter.setPen(QPen(scaleColour(double(piece.colour) / colourSteps), 3, Qt::SolidLine, Qt::RoundCap,
-                            Qt::RoundJoin));
-        painter.drawPolyline(simplified(piece.line, tolerancePx));
-    }
+    drawPiece();
 }
 
 void drawMapSpikes(QPainter &painter, const MapPlan &plan, const Profile &profile, const QPalette &palette)

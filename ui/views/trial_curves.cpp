@@ -21,7 +21,7 @@ class TrialCurvesWords
 
 } // namespace
 
-TrialCurves::TrialCurves(TrialScenePtr scene, Quantity quantity, const std::vector<std::vector<double>> &places)
+TrialCurves::TrialCurves(TrialScenePtr scene, Quantity quantity, const SamplePlaces &places)
     : m_scene(std::move(scene)), m_quantity(quantity)
 {
     std::vector<const CurveRun *> runs;
@@ -31,7 +31,8 @@ TrialCurves::TrialCurves(TrialScenePtr scene, Quantity quantity, const std::vect
     }
     for (const RobotCurves &curves : m_curves)
         for (const CurveRun &run : curves.runs)
-            runs.push_back(&run);
+            if (run.isLine())
+                runs.push_back(&run);
     m_range = valueRange(runs, m_quantity);
     if (m_scene)
         m_places = colourPlaces(*m_scene);
@@ -40,9 +41,7 @@ TrialCurves::TrialCurves(TrialScenePtr scene, Quantity quantity, const std::vect
 TrialCurves::RobotCurves TrialCurves::curvesOf(const Profile &profile, const std::vector<double> &places) const
 {
     RobotCurves curves;
-    curves.values = curveValues(profile, m_quantity);
-    curves.runs = curveRuns(curves.values, m_quantity, places);
-    std::erase_if(curves.runs, [](const CurveRun &run) { return run.line.size() < 2; });
+    curves.runs = curveRuns(curveValues(profile, m_quantity), places);
     curves.measured = measuredPoints(profile, m_quantity, places);
     curves.spikes = spikePoints(profile, m_quantity, places);
     return curves;
@@ -57,9 +56,13 @@ std::optional<CurveValue> TrialCurves::valueAt(std::size_t robot, Nanoseconds ti
     const auto after =
         std::upper_bound(samples.begin(), samples.end(), time,
                          [](Nanoseconds wanted, const Sample &sample) { return wanted < sample.time; });
-    return after == samples.begin()
-               ? std::nullopt
-               : m_curves[robot].values[static_cast<std::size_t>(after - samples.begin()) - 1];
+    if (after == samples.begin())
+        return std::nullopt;
+    const auto index = static_cast<std::size_t>(after - samples.begin()) - 1;
+    for (const CurveRun &run : m_curves[robot].runs)
+        if (index >= run.firstSample && index - run.firstSample < run.points.size())
+            return run.points[index - run.firstSample].curveValue();
+    return std::nullopt;
 }
 
 void TrialCurves::draw(QPainter &painter, const ChartPlot &plot, const QPalette &palette) const
@@ -69,6 +72,8 @@ void TrialCurves::draw(QPainter &painter, const ChartPlot &plot, const QPalette 
         drawCurvePoints(painter, plot, curves.measured, ThemeColours::of(palette).point);
     for (std::size_t robot = 0; robot < m_curves.size(); ++robot)
         for (const CurveRun &run : m_curves[robot].runs) {
+            if (!run.isLine())
+                continue;
             drawCurveRun(painter, plot, run, {seriesColour(m_places[robot], palette), seriesDash(int(robot))});
             isEmpty = false;
         }

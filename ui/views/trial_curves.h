@@ -3,6 +3,7 @@
 
 #include "ui/models/trial_scene.h"
 #include "ui/views/chart_painting.h"
+#include "ui/views/chart_span.h"
 #include "ui/views/profile_curve.h"
 
 #include <functional>
@@ -24,9 +25,7 @@ class TrialCurves
 {
 public:
     TrialCurves() = default;
-    /// places: where each sample of each robot lies on the axis below, a list a robot (ChartSpan::places, or
-    /// sampleTimes); empty for a robot that was not tracked.
-    TrialCurves(TrialScenePtr scene, Quantity quantity, const std::vector<std::vector<double>> &places);
+    TrialCurves(TrialScenePtr scene, Quantity quantity, const SamplePlaces &places);
 
     /// Of all curves; 0 to 1 where there is none.
     const ValueRange &range() const { return m_range; }
@@ -42,8 +41,7 @@ public:
 private:
     struct RobotCurves
     {
-        std::vector<std::optional<CurveValue>> values; ///< one a sample
-        std::vector<CurveRun> runs;
+        std::vector<CurveRun> runs; ///< in order
         QList<QPointF> measured, spikes;
     };
     RobotCurves curvesOf(const Profile &profile, const std::vector<double> &places) const;

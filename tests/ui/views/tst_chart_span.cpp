@@ -122,7 +122,7 @@ private Q_SLOTS:
         charts.span.setAgainst(ChartSpan::Against::Distance);
         const Profile &profile = m_scene->robots[0].analysis->profile;
         const std::vector<double> ways = drivenWay(profile.samples, profile.points);
-        QCOMPARE(charts.span.places(0), ways);
+        QCOMPARE(charts.span.places()->at(0), ways);
         QCOMPARE(charts.span.wholeHigh(), ways.back());
         QCOMPARE(charts.span.placeOf(0, profile.samples[100].time), ways[100]);
         const Nanoseconds between = (profile.samples[100].time + profile.samples[101].time) / 2;
