@@ -66,8 +66,7 @@ void keepPaintersReady()
 {
     using namespace std::chrono_literals;
     constexpr std::size_t filesOfPainting = 40; // with those of threads, of which Qt tells in lines of its own
-    if (!canOpenFiles(filesOfPainting))
-        endForShortage("too many files are open");
+    needFiles(filesOfPainting);
     QThreadPool &pool = *QThreadPool::globalInstance();
     pool.setExpiryTimeout(-1);
     struct Meeting

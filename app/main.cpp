@@ -113,6 +113,8 @@ int runCommand(const NamedCommand &command, int argc, char **argv)
     qInstallMessageHandler(dropRemarks);
     watchStopSignals();
     qputenv("QT_NO_GLIB", "1"); // which would write of its own where files run out
+    constexpr std::size_t filesOfEvents = 2; // Qt's pipe, which must be had
+    needFiles(filesOfEvents);
     std::unique_ptr<QCoreApplication> application;
     const auto says = [&](const char *word) {
         return std::any_of(argv, argv + argc, [word](const char *a) { return std::strcmp(a, word) == 0; });

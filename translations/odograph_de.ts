@@ -6543,6 +6543,14 @@
         <source>recording; the project&apos;s file is gone, what is in it will be rescued</source>
         <translation>Aufnahme läuft; die Datei des Projekts ist verschwunden, ihr Inhalt wird gerettet</translation>
     </message>
+    <message>
+        <source>another program wrote over its file while it was open; nothing more was stored</source>
+        <translation>ein anderes Programm hat seine Datei überschrieben, während es offen war; danach wurde nichts mehr gespeichert</translation>
+    </message>
+    <message>
+        <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
+        <translation>öffnen Sie es erneut; wenn Sie gerade aufgenommen haben, suchen Sie nach herrenlosen Dateien (odograph check --adopt)</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>
@@ -11122,6 +11130,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>“%1” was deleted, renamed or replaced by another program. What was in it is rescued in “%2”, which is open now.</source>
         <translation>„%1“ wurde von einem anderen Programm gelöscht, umbenannt oder ersetzt. Der Inhalt ist in „%2“ gerettet, das jetzt geöffnet ist.</translation>
+    </message>
+    <message>
+        <source>Another program wrote over “%1”. What it holds now is opened as soon as the running work has ended.</source>
+        <translation>Ein anderes Programm hat „%1“ überschrieben. Was jetzt darin ist, wird geöffnet, sobald die laufende Arbeit beendet ist.</translation>
+    </message>
+    <message>
+        <source>Another program wrote over “%1” while it was open. What it holds now is shown.</source>
+        <translation>Ein anderes Programm hat „%1“ überschrieben, während es offen war. Gezeigt wird, was jetzt darin ist.</translation>
     </message>
 </context>
 <context>

@@ -6543,6 +6543,14 @@
         <source>recording; the project&apos;s file is gone, what is in it will be rescued</source>
         <translation>grabando; el archivo del proyecto ha desaparecido, su contenido se rescatará</translation>
     </message>
+    <message>
+        <source>another program wrote over its file while it was open; nothing more was stored</source>
+        <translation>otro programa ha sobrescrito su archivo mientras estaba abierto; no se ha guardado nada más</translation>
+    </message>
+    <message>
+        <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
+        <translation>ábralo de nuevo; si estaba grabando, busque archivos sueltos (odograph check --adopt)</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>
@@ -11122,6 +11130,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>“%1” was deleted, renamed or replaced by another program. What was in it is rescued in “%2”, which is open now.</source>
         <translation>Otro programa eliminó, renombró o sustituyó «%1». Su contenido se ha rescatado en «%2», que ahora está abierto.</translation>
+    </message>
+    <message>
+        <source>Another program wrote over “%1”. What it holds now is opened as soon as the running work has ended.</source>
+        <translation>Otro programa ha sobrescrito «%1». Lo que contiene ahora se abrirá en cuanto termine el trabajo en curso.</translation>
+    </message>
+    <message>
+        <source>Another program wrote over “%1” while it was open. What it holds now is shown.</source>
+        <translation>Otro programa ha sobrescrito «%1» mientras estaba abierto. Se muestra lo que contiene ahora.</translation>
     </message>
 </context>
 <context>

@@ -6543,6 +6543,14 @@
         <source>recording; the project&apos;s file is gone, what is in it will be rescued</source>
         <translation>enregistrement en cours ; le fichier du projet a disparu, son contenu sera récupéré</translation>
     </message>
+    <message>
+        <source>another program wrote over its file while it was open; nothing more was stored</source>
+        <translation>un autre programme a écrasé son fichier pendant qu’il était ouvert ; plus rien n’a été enregistré</translation>
+    </message>
+    <message>
+        <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
+        <translation>ouvrez-le à nouveau ; si vous étiez en train d’enregistrer, cherchez les fichiers orphelins (odograph check --adopt)</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>
@@ -11122,6 +11130,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>“%1” was deleted, renamed or replaced by another program. What was in it is rescued in “%2”, which is open now.</source>
         <translation>« %1 » a été supprimé, renommé ou remplacé par un autre programme. Son contenu a été récupéré dans « %2 », qui est maintenant ouvert.</translation>
+    </message>
+    <message>
+        <source>Another program wrote over “%1”. What it holds now is opened as soon as the running work has ended.</source>
+        <translation>Un autre programme a écrasé « %1 ». Son contenu actuel sera ouvert dès que le travail en cours sera terminé.</translation>
+    </message>
+    <message>
+        <source>Another program wrote over “%1” while it was open. What it holds now is shown.</source>
+        <translation>Un autre programme a écrasé « %1 » pendant qu’il était ouvert. Son contenu actuel est affiché.</translation>
     </message>
 </context>
 <context>

@@ -6541,6 +6541,14 @@
         <source>recording; the project&apos;s file is gone, what is in it will be rescued</source>
         <translation>녹화 중. 프로젝트 파일이 사라졌으며 그 내용은 구조됩니다</translation>
     </message>
+    <message>
+        <source>another program wrote over its file while it was open; nothing more was stored</source>
+        <translation>열려 있는 동안 다른 프로그램이 파일을 덮어썼습니다. 그 뒤로는 저장되지 않았습니다</translation>
+    </message>
+    <message>
+        <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
+        <translation>다시 여십시오. 녹화 중이었다면 소속 없는 파일을 찾아 보십시오 (odograph check --adopt)</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>
@@ -11108,6 +11116,14 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>“%1” was deleted, renamed or replaced by another program. What was in it is rescued in “%2”, which is open now.</source>
         <translation>다른 프로그램이 “%1”을(를) 삭제하거나 이름을 바꾸거나 교체했습니다. 내용은 “%2”에 구조되었고 지금 열려 있습니다.</translation>
+    </message>
+    <message>
+        <source>Another program wrote over “%1”. What it holds now is opened as soon as the running work has ended.</source>
+        <translation>다른 프로그램이 “%1”을(를) 덮어썼습니다. 진행 중인 작업이 끝나면 지금 들어 있는 내용을 엽니다.</translation>
+    </message>
+    <message>
+        <source>Another program wrote over “%1” while it was open. What it holds now is shown.</source>
+        <translation>열려 있는 동안 다른 프로그램이 “%1”을(를) 덮어썼습니다. 지금 들어 있는 내용을 보여 줍니다.</translation>
     </message>
 </context>
 <context>

@@ -6541,6 +6541,14 @@
         <source>recording; the project&apos;s file is gone, what is in it will be rescued</source>
         <translation>正在录制；项目文件已不存在，其中的内容将被抢救</translation>
     </message>
+    <message>
+        <source>another program wrote over its file while it was open; nothing more was stored</source>
+        <translation>打开期间另一个程序覆盖了其文件；此后未保存任何内容</translation>
+    </message>
+    <message>
+        <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
+        <translation>请重新打开；如果当时正在录制，请查找无归属的文件（odograph check --adopt）</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>
@@ -11108,6 +11116,14 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>“%1” was deleted, renamed or replaced by another program. What was in it is rescued in “%2”, which is open now.</source>
         <translation>“%1”被其他程序删除、重命名或替换。其中的内容已抢救到“%2”，现已打开。</translation>
+    </message>
+    <message>
+        <source>Another program wrote over “%1”. What it holds now is opened as soon as the running work has ended.</source>
+        <translation>另一个程序覆盖了“%1”。正在进行的工作结束后，将打开其当前内容。</translation>
+    </message>
+    <message>
+        <source>Another program wrote over “%1” while it was open. What it holds now is shown.</source>
+        <translation>“%1”打开期间被另一个程序覆盖。现在显示的是其当前内容。</translation>
     </message>
 </context>
 <context>

@@ -38,6 +38,22 @@ bool isMemoryThere() noexcept
 
 /// As many as a library takes at once.
 constexpr std::size_t filesOfALibrary = 8;
+constexpr std::size_t mostFilesAsked = 64;
+
+bool canOpenFiles(std::size_t count) noexcept
+{
+    std::array<int, mostFilesAsked> handles{};
+    bool areThere = true;
+    const auto wanted = std::span(handles).first(std::min(count, handles.size()));
+    for (int &handle : wanted) {
+        handle = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+        areThere = areThere && (handle >= 0 || (errno != EMFILE && errno != ENFILE));
+    }
+    for (const int handle : wanted)
+        if (handle >= 0)
+            ::close(handle);
+    return areThere;
+}
 
 bool isProcessThere() noexcept
 {
@@ -93,19 +109,10 @@ const char *shortageBeingHandled() noexcept
     }
 }
 
-bool canOpenFiles(std::size_t count) noexcept
+void needFiles(std::size_t count) noexcept
 {
-    std::array<int, mostFilesAsked> handles{};
-    bool areThere = true;
-    const auto wanted = std::span(handles).first(std::min(count, handles.size()));
-    for (int &handle : wanted) {
-        handle = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
-        areThere = areThere && (handle >= 0 || (errno != EMFILE && errno != ENFILE));
-    }
-    for (const int handle : wanted)
-        if (handle >= 0)
-            ::close(handle);
-    return areThere;
+    if (!canOpenFiles(count))
+        endForShortage(noFiles);
 }
 
 const char *shortageNowOfSystem() noexcept

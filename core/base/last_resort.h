@@ -15,12 +15,11 @@ const char *shortageBeingHandled() noexcept;
 /// Asks the system now whether it still gives memory, files and processes: why not, or null. Safe in a signal handler.
 const char *shortageNowOfSystem() noexcept;
 
-/// Whether so many more files may be opened, of 64 at most. Safe in a signal handler.
-inline constexpr std::size_t mostFilesAsked = 64;
-bool canOpenFiles(std::size_t count) noexcept;
-
 /// Writes the one line and ends the program with status 1. Nothing is put away, no memory is asked for. Safe in a signal handler.
 [[noreturn]] void endForShortage(const char *why) noexcept;
+
+/// Ends it so where not so many more files may be opened, of 64 at most: before a library would tell of it in lines of its own.
+void needFiles(std::size_t count) noexcept;
 
 /// From now on a shortage that nobody catches ends the program so. Any other such exception aborts it, as ever, after a line that names
 /// it. Once, at the beginning of the program.

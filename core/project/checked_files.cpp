@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/checked_files.h"
 
+#include "core/base/last_resort.h"
+#include "core/base/shortage.h"
 #include "core/files/protected_files.h"
 #include "core/project/recording_rows.h"
 
+#include <cerrno>
+#include <cstring>
 #include <map>
-#include <optional>
 #include <set>
 #include <sys/stat.h>
 #include <utility>
@@ -20,12 +23,15 @@ struct FileOnDisk
     std::int64_t bytes = 0;
 };
 
-std::optional<FileOnDisk> onDisk(const std::filesystem::path &file)
+/// NotFound where there is no such file, Io where the system does not say.
+Result<FileOnDisk> onDisk(const std::filesystem::path &file)
 {
     struct stat status = {};
-    if (stat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode))
-        return std::nullopt;
-    return FileOnDisk{{status.st_dev, status.st_ino}, status.st_size};
+    if (stat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode))
+        return FileOnDisk{{status.st_dev, status.st_ino}, status.st_size};
+    const bool isThere = errno == EACCES || errno == EIO;
+    return fail(isThere ? ErrorCode::Io : ErrorCode::NotFound, "file '" + file.string() + "'", std::string("it cannot be read (") + std::strerror(errno) + ")",
+                "check that the file is there and may be read");
 }
 
 class FileCheck
@@ -39,12 +45,14 @@ public:
         for (const KeptFile &kept : files) {
             if (m_control.isCancelled())
                 return cancelled("check of the project");
-            const auto known = m_onDisk.try_emplace(kept.file);
-            if (known.second)
-                known.first->second = onDisk(kept.file);
-            const std::optional<FileOnDisk> &found = known.first->second;
-            if (!found)
+            auto known = m_onDisk.find(kept.file);
+            if (known == m_onDisk.end())
+                known = m_onDisk.emplace(kept.file, onDisk(kept.file)).first;
+            const Result<FileOnDisk> &found = known->second;
+            if (!found && found.error().code == ErrorCode::NotFound)
                 report(kept, kept.name + " is missing", kept.adviceWhenMissing);
+            else if (!found)
+                report(kept, kept.name + ": " + found.error().why, found.error().advice);
             else if (found->bytes != kept.bytes)
                 report(kept, kept.name + " has " + std::to_string(found->bytes) + " bytes instead of " + std::to_string(kept.bytes),
                        "put the original file back in its place");
@@ -59,24 +67,26 @@ public:
         std::int64_t all = 0, done = 0;
         std::set<FileIdentity> counted;
         for (const KeptFile *kept : m_whole) {
-            const FileOnDisk &file = *m_onDisk[kept->file];
+            const FileOnDisk &file = *m_onDisk.at(kept->file);
             all += counted.insert(file.id).second ? file.bytes : 0;
         }
-        std::map<FileIdentity, std::string> hashes; ///< empty: it cannot be read
+        std::map<FileIdentity, Result<std::string>> hashes;
         for (const KeptFile *kept : m_whole) {
-            const FileOnDisk &file = *m_onDisk[kept->file];
-            const auto [known, isNew] = hashes.try_emplace(file.id);
-            if (isNew) {
+            const FileOnDisk &file = *m_onDisk.at(kept->file);
+            auto known = hashes.find(file.id);
+            if (known == hashes.end()) {
                 m_control.report(double(done) / double(std::max<std::int64_t>(all, 1)), "reading " + kept->file.filename().string());
-                auto hash = fileSha256(kept->file, m_control);
-                if (!hash && hash.error().code == ErrorCode::Cancelled)
-                    return cancelled("check of the project");
-                known->second = hash.value_or(std::string());
+                known = hashes.emplace(file.id, fileSha256(kept->file, m_control)).first;
                 done += file.bytes;
             }
-            if (known->second.empty())
-                report(*kept, kept->name + " cannot be read", "check the disk");
-            else if (known->second != kept->sha256)
+            const Result<std::string> &hash = known->second;
+            if (!hash && hash.error().code == ErrorCode::Cancelled)
+                return cancelled("check of the project");
+            if (const char *shortage = hash ? nullptr : shortageNowOfSystem()) // which says nothing of the file
+                return fail(ErrorCode::Unavailable, "check of the project", shortage, shortageAdvice);
+            if (!hash)
+                report(*kept, kept->name + ": " + hash.error().why, hash.error().advice);
+            else if (*hash != kept->sha256)
                 report(*kept, kept->name + " was changed since it was made", "put the original file back in its place");
         }
         return {};
@@ -91,7 +101,7 @@ private:
 
     const JobControl &m_control;
     std::vector<ProjectProblem> &m_problems;
-    std::map<std::filesystem::path, std::optional<FileOnDisk>> m_onDisk;
+    std::map<std::filesystem::path, Result<FileOnDisk>> m_onDisk;
     std::vector<const KeptFile *> m_whole; ///< there, of the right size, and with a hash
     std::set<std::pair<std::filesystem::path, std::string>> m_reported;
 };

@@ -150,9 +150,13 @@ ProjectConnection::~ProjectConnection()
     HeldTurn turn; // the last one to be closed writes the log back
     if (m_access == DatabaseAccess::ReadWrite)
         turn = HeldTurn(writeTurn());
+    if (m_database.isOpen() && turn.isHeld())
+        noteStamp();
     if (m_database.isOpen() && !mayRemoveLog(turn))
         sqlite3_db_config(handle(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
     m_database.close();
+    if (m_isOverwritten && turn.isHeld())
+        discardLog();
     m_database = QSqlDatabase();
     QSqlDatabase::removeDatabase(m_name);
 }
@@ -162,7 +166,7 @@ ProjectConnection::~ProjectConnection()
 bool ProjectConnection::mayRemoveLog(const HeldTurn &turn) const noexcept
 {
     try {
-        return isInPlace() && (m_access == DatabaseAccess::QueryOnly ? !hasLog(m_file) : turn.isHeld());
+        return isInPlace() && !m_isOverwritten && (m_access == DatabaseAccess::QueryOnly ? !hasLog(m_file) : turn.isHeld());
     } catch (const std::bad_alloc &) {
         return false;
     }
@@ -208,6 +212,41 @@ bool ProjectConnection::isInPlace() const
     return m_copy || sqlite3_file_control(handle(), "main", SQLITE_FCNTL_HAS_MOVED, &hasMoved) != SQLITE_OK || hasMoved == 0;
 }
 
+void ProjectConnection::watchForOverwriting() const
+{
+    if (number(QStringLiteral("PRAGMA user_version"))) // reads, so that there is an account
+        m_stamp = fileStamp(handle(), m_file);
+}
+
+/// In the turn.
+void ProjectConnection::noteStamp() const
+{
+    if (!m_stamp || m_isOverwritten)
+        return;
+    const auto stamp = fileStamp(handle(), m_file);
+    m_isOverwritten = stamp && stamp->isOverwrittenSince(*m_stamp) && isInPlace();
+    m_stamp = stamp;
+}
+
+bool ProjectConnection::isOverwritten() const
+{
+    if (const HeldTurn turn = HeldTurn::ifFree(writeTurn()); turn.isHeld())
+        noteStamp();
+    return m_isOverwritten;
+}
+
+/// It belongs to what the file held before: whoever opens the file next would write it into that.
+void ProjectConnection::discardLog() const noexcept
+{
+    try {
+        std::error_code problem;
+        if (hasLog(m_file))
+            for (const char *suffix : {logSuffix, logIndexSuffix})
+                files::remove(besideFile(files::realPath(m_file), suffix), problem);
+    } catch (const std::bad_alloc &) { // it stays
+    }
+}
+
 std::optional<std::filesystem::path> ProjectConnection::presentPlace() const
 {
     const std::filesystem::path descriptors("/proc/self/fd");
@@ -227,9 +266,14 @@ bool ProjectConnection::checkpoint(Checkpoint how) const
     const HeldTurn turn(writeTurn());
     if (!turn.isHeld())
         return false;
+    noteStamp();
+    if (m_isOverwritten)
+        return false;
     int logged = 0, written = 0; // -1 where there is no log
     const int mode = how == Checkpoint::Passing ? SQLITE_CHECKPOINT_PASSIVE : SQLITE_CHECKPOINT_TRUNCATE;
-    return sqlite3_wal_checkpoint_v2(handle(), "main", mode, &logged, &written) == SQLITE_OK && logged == written;
+    const bool isDone = sqlite3_wal_checkpoint_v2(handle(), "main", mode, &logged, &written) == SQLITE_OK && logged == written;
+    noteStamp();
+    return isDone;
 }
 
 void ProjectConnection::countChanges() const

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/files/protected_files.h"
+#include "core/project/file_stamp.h"
 #include "core/project/log_copy.h"
 #include "core/project/records.h"
 #include "core/project/write_turn.h"
@@ -55,6 +56,11 @@ struct ProjectConnection
     Result<HeldTurn> takeTurn(std::chrono::milliseconds patience = WriteTurn::usualPatience) const;
     /// Whether the file is still where it was opened: it was not deleted, renamed or replaced. Looks at its path alone.
     bool isInPlace() const;
+    /// Begins to look whether something else writes to the file; of a connection that reads and writes, in WAL mode.
+    void watchForOverwriting() const;
+    /// Whether something wrote to the file past SQLite since then (FileStamp). False where somebody has the turn, who
+    /// may be writing right now. From then on nothing is written to it here.
+    bool isOverwritten() const;
     /// Where the file is now that was opened; nothing where it was deleted.
     std::optional<std::filesystem::path> presentPlace() const;
     /// "project 'run.odo'": how messages name it.
@@ -78,6 +84,8 @@ private:
     static Result<std::unique_ptr<ProjectConnection>> openAt(const std::filesystem::path &place, const std::filesystem::path &file, DatabaseAccess access);
     Result<void> configure();
     bool mayRemoveLog(const HeldTurn &turn) const noexcept;
+    void noteStamp() const;
+    void discardLog() const noexcept;
     void countChanges() const;
 
     std::filesystem::path m_file;
@@ -89,6 +97,8 @@ private:
     QSqlDatabase m_database;
     int m_transactionDepth = 0;
     struct stat m_opened{}; ///< what the system knew of the file when it was opened
+    mutable std::optional<FileStamp> m_stamp; ///< at the last look
+    mutable bool m_isOverwritten = false;
     mutable std::int64_t m_countedRows = 0; ///< that were changed, as far as they are counted as changes
 };
 
@@ -147,6 +157,7 @@ public:
     Result<void> commit();
 
 private:
+    Result<void> checkNotOverwritten() const;
     void rollBack();
 
     ProjectConnection &m_connection;

@@ -53,11 +53,13 @@ Result<void> makeDatabase(const std::filesystem::path &file, const std::string &
 
 struct Project::Impl
 {
-    explicit Impl(std::unique_ptr<ProjectConnection> opened)
+    Impl(std::unique_ptr<ProjectConnection> opened, bool isToWriteBack)
         : connection(std::move(opened)), cameras(*connection), layouts(*connection), robots(*connection),
           teams(*connection), classes(*connection), tasks(*connection), trials(*connection), analyses(*connection),
-          journal(*connection)
+          journal(*connection), writesBack(isToWriteBack)
     {
+        if (connection->access() == DatabaseAccess::ReadWrite)
+            connection->watchForOverwriting();
     }
 
     std::unique_ptr<ProjectConnection> connection;
@@ -70,7 +72,7 @@ struct Project::Impl
     TrialRepository trials;
     AnalysisRepository analyses;
     ChangeJournal journal;
-    bool writesBack = false; ///< the log, when it is closed
+    bool writesBack; ///< the log, when it is closed
 };
 
 Project::Project(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
@@ -167,9 +169,7 @@ Result<std::unique_ptr<Project>> Project::open(const std::filesystem::path &file
             return tl::unexpected(migrated.error());
         return connectTo(file, access, false);
     }
-    auto impl = std::make_unique<Impl>(std::move(*connection));
-    impl->writesBack = access == Access::ReadWrite;
-    return std::unique_ptr<Project>(new Project(std::move(impl)));
+    return std::unique_ptr<Project>(new Project(std::make_unique<Impl>(std::move(*connection), access == Access::ReadWrite)));
 }
 
 Result<std::unique_ptr<Project>> Project::openChecked(const std::filesystem::path &file, Access access)
@@ -189,9 +189,7 @@ Result<std::unique_ptr<Project>> Project::connectTo(const std::filesystem::path 
     auto connection = connect(file, access);
     if (!connection)
         return tl::unexpected(connection.error());
-    auto impl = std::make_unique<Impl>(std::move(*connection));
-    impl->writesBack = writesBack;
-    return std::unique_ptr<Project>(new Project(std::move(impl)));
+    return std::unique_ptr<Project>(new Project(std::make_unique<Impl>(std::move(*connection), writesBack)));
 }
 
 const std::filesystem::path &Project::file() const
@@ -301,6 +299,11 @@ Result<std::vector<ChangeEntry>> Project::changes() const
 bool Project::isInPlace() const
 {
     return m_impl->connection->isInPlace();
+}
+
+bool Project::isOverwritten() const
+{
+    return m_impl->connection->isOverwritten();
 }
 
 std::optional<std::filesystem::path> Project::presentPlace() const

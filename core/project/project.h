@@ -104,6 +104,9 @@ public:
     /// Whether the file is still where it was opened. One that was deleted, renamed or replaced since can be read here as long
     /// as it is open, and saveCopy rescues it; what is written to it is lost to whoever opens that path.
     bool isInPlace() const;
+    /// Whether another file was copied over this one, or anything else wrote to it past SQLite, since it was opened for writing. What it
+    /// held is gone, and nothing more is written to it here: open it again. False while somebody writes to it as this program does.
+    bool isOverwritten() const;
     /// Where the file is now that was opened; nothing where it was deleted.
     std::optional<std::filesystem::path> presentPlace() const;
     /// What tells whether anything was changed since.

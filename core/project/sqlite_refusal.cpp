@@ -1,13 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/sqlite_refusal.h"
 
+#include "core/base/last_resort.h"
+#include "core/base/shortage.h"
+
 #include <cerrno>
 #include <sqlite3.h>
 
 namespace odo {
 
+namespace {
+
+/// SQLite asks for files and memory and tells of neither.
+SqliteRefusal unlessShort(const SqliteRefusal &reason)
+{
+    const char *shortage = shortageNowOfSystem();
+    return shortage ? SqliteRefusal{ErrorCode::Unavailable, shortage, shortageAdvice} : reason;
+}
+
+} // namespace
+
 SqliteRefusal sqliteRefusal(int resultCode, int systemError)
 {
+    constexpr SqliteRefusal unknown{ErrorCode::Internal, "the database refused", "run a check of the project"};
     switch (resultCode & 0xff) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
@@ -19,8 +34,7 @@ SqliteRefusal sqliteRefusal(int resultCode, int systemError)
         return {ErrorCode::ReadOnly, "it cannot be written to",
                 "copy it to a folder that you may write to, and open the copy"};
     case SQLITE_CANTOPEN:
-        return {ErrorCode::ReadOnly, "its folder cannot be written to",
-                "copy it to a folder that you may write to, and open the copy"};
+        return unlessShort({ErrorCode::ReadOnly, "its folder cannot be written to", "copy it to a folder that you may write to, and open the copy"});
     case SQLITE_FULL:
         return {ErrorCode::Io, "the disk is full, the change was not saved",
                 "make room on the disk and try again"};
@@ -31,8 +45,11 @@ SqliteRefusal sqliteRefusal(int resultCode, int systemError)
         if (resultCode == SQLITE_IOERR_READ || resultCode == SQLITE_IOERR_CORRUPTFS) // what EIO is to it
             return {ErrorCode::Io, "the disk could not be read, and nothing was changed",
                     "check the disk, and copy the project to another one"};
-        return {ErrorCode::Io, "the disk reported an error, the change was not saved",
-                "check the disk, and copy the project to another one"};
+        return unlessShort({ErrorCode::Io, "the disk reported an error, the change was not saved",
+                            "check the disk, and copy the project to another one"});
+    case SQLITE_NOMEM:
+    case SQLITE_OK: // Qt failed by itself
+        return unlessShort(unknown);
     case SQLITE_CORRUPT:
     case SQLITE_INTERRUPT: // by a StepLimit
         return {ErrorCode::InvalidInput, "the file is damaged", "restore it from a backup copy"};
@@ -47,7 +64,7 @@ SqliteRefusal sqliteRefusal(int resultCode, int systemError)
         return {ErrorCode::InvalidInput, "a value is too large to be stored",
                 "split the recording into shorter ones"};
     default:
-        return {ErrorCode::Internal, "the database refused", "run a check of the project"};
+        return unknown;
     }
 }
 

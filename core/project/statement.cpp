@@ -191,6 +191,17 @@ RecordId Statement::insertedId() const
     return m_query.lastInsertId().toLongLong();
 }
 
+/// In the turn.
+Result<void> Transaction::checkNotOverwritten() const
+{
+    if (m_depth > 0)
+        return {};
+    m_connection.noteStamp();
+    if (!m_connection.m_isOverwritten)
+        return {};
+    return fail(ErrorCode::Unavailable, m_connection.displayName(), "another program wrote over its file while it was open; nothing more was stored", "open it again; if you were recording, look for stray files (odograph check --adopt)");
+}
+
 Result<void> Transaction::begin()
 {
     m_depth = m_connection.m_transactionDepth;
@@ -203,6 +214,8 @@ Result<void> Transaction::begin()
     if (!turn)
         return tl::unexpected(turn.error());
     m_turn = std::move(*turn);
+    if (auto done = checkNotOverwritten(); !done)
+        return done;
     const QString sql =
         m_depth == 0 ? QStringLiteral("BEGIN IMMEDIATE") : QStringLiteral("SAVEPOINT step%1").arg(m_depth);
     if (auto begun = m_connection.execute(sql); !begun) {
@@ -223,8 +236,10 @@ Result<void> Transaction::commit()
         return done;
     }
     m_open = false;
-    if (--m_connection.m_transactionDepth == 0)
+    if (--m_connection.m_transactionDepth == 0) {
         m_connection.countChanges();
+        m_connection.noteStamp();
+    }
     m_turn.giveUp();
     return {};
 }

@@ -43,6 +43,12 @@ WriteTurn::~WriteTurn()
 bool WriteTurn::take(std::chrono::milliseconds patience)
 {
     m_mutex.lock();
+    return takeFromOthers(patience);
+}
+
+/// With the mutex held, which it gives back where it fails.
+bool WriteTurn::takeFromOthers(std::chrono::milliseconds patience)
+{
     if (m_depth++ > 0 || m_folder < 0)
         return true;
     const auto end = std::chrono::steady_clock::now() + patience;
@@ -67,6 +73,14 @@ void WriteTurn::give()
 }
 
 HeldTurn::HeldTurn(WriteTurn &turn, std::chrono::milliseconds patience) : m_turn(turn.take(patience) ? &turn : nullptr) {}
+
+HeldTurn HeldTurn::ifFree(WriteTurn &turn)
+{
+    HeldTurn held;
+    if (turn.m_mutex.try_lock() && turn.takeFromOthers(std::chrono::milliseconds(0)))
+        held.m_turn = &turn;
+    return held;
+}
 
 HeldTurn::HeldTurn(HeldTurn &&other) noexcept : m_turn(std::exchange(other.m_turn, nullptr)) {}
 

@@ -34,6 +34,7 @@ public:
 private:
     friend class HeldTurn;
     bool take(std::chrono::milliseconds patience);
+    bool takeFromOthers(std::chrono::milliseconds patience);
     void give();
 
     std::recursive_mutex m_mutex;
@@ -50,6 +51,8 @@ public:
     HeldTurn() = default;
     explicit HeldTurn(WriteTurn &turn, std::chrono::milliseconds patience = WriteTurn::usualPatience);
     ~HeldTurn() { giveUp(); }
+    /// Without waiting.
+    static HeldTurn ifFree(WriteTurn &turn);
     HeldTurn(HeldTurn &&other) noexcept;
     HeldTurn &operator=(HeldTurn &&other) noexcept;
 

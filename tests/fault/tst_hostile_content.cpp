@@ -222,6 +222,7 @@ private Q_SLOTS:
                     continue;
                 const QString problem = problemOf(run);
                 QVERIFY2(problem.isEmpty(), qPrintable(call.join(u' ') + u" with %1 files: "_s.arg(files) + problem));
+                QVERIFY2(run.exitStatus == 0 || run.err.toLower().contains("too many") || run.err.contains("problems found"), qPrintable(call.join(u' ') + u" with %1 files: "_s.arg(files) + QString::fromUtf8(run.err)));
             }
         }
     }

@@ -167,6 +167,53 @@ private Q_SLOTS:
         }
     }
 
+    void whatIsCopiedOverItIsNeitherMixedNorChanged_data()
+    {
+        QTest::addColumn<bool>("hasLog");
+        QTest::newRow("all of it in the file") << false;
+        QTest::newRow("changes in the log") << true;
+    }
+    void whatIsCopiedOverItIsNeitherMixedNorChanged()
+    {
+        QFETCH(bool, hasLog);
+        QVERIFY(m_project->setTitle("before"));
+        if (!hasLog)
+            QVERIFY(m_project->emptyLog());
+        QVERIFY(!m_project->isOverwritten());
+        QVERIFY(Project::create(folder() / "new.odo", "another"));
+        fs::copy_file(folder() / "new.odo", m_file, fs::copy_options::overwrite_existing);
+        QVERIFY(m_project->isInPlace()); // it is the same file for the system
+        const auto refused = m_project->setTitle("afterwards");
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().message(),
+                 std::string("project 'lesson.odo': another program wrote over its file while it was open; nothing more was stored; open it again; if you were recording, look for stray files (odograph check --adopt)"));
+        QVERIFY(m_project->isOverwritten());
+        QVERIFY(!m_project->writeBack());
+        m_project.reset();
+        const auto another = Project::open(m_file, Access::ReadWrite);
+        QVERIFY2(another, another ? "" : another.error().message().c_str());
+        QCOMPARE((*another)->title().value(), std::string("another"));
+        QVERIFY(!(*another)->cameras().find("A"));
+        QVERIFY((*another)->check(false)->empty());
+        QVERIFY((*another)->setTitle("goes on"));
+    }
+
+    void whatSqliteWritesIsNotTakenForOverwriting()
+    {
+        const auto other = Project::open(m_file, Access::ReadWrite);
+        for (int i = 0; i < 3; ++i) {
+            QVERIFY(m_project->setTitle("one" + std::to_string(i)));
+            QVERIFY(!(*other)->isOverwritten());
+            QVERIFY((*other)->emptyLog());
+            QVERIFY(!m_project->isOverwritten());
+            QVERIFY((*other)->setTitle("two" + std::to_string(i)));
+            QVERIFY(m_project->writeBack());
+            QVERIFY(!(*other)->isOverwritten());
+            fs::copy_file(m_file, folder() / "copy.odo", fs::copy_options::overwrite_existing);
+            QVERIFY(!m_project->isOverwritten());
+        }
+    }
+
     void withItsFolderItIsRescuedWhereThatIsNow()
     {
         fs::create_directory(folder() / "first");

@@ -179,6 +179,7 @@ void MainWindow::connectJobs()
     });
     connect(m_workspace, &Workspace::savedChanged, this, &MainWindow::showState);
     connect(m_workspace, &Workspace::lost, this, &MainWindow::rescueProject);
+    connect(m_workspace, &Workspace::overwritten, this, &MainWindow::reopenProject);
     connect(m_workspace, &Workspace::jobFailed, &m_status->job(), &JobIndicator::end);
     connect(m_workspace, &Workspace::jobFailed, this, &MainWindow::tellFailure);
     connect(m_workspace, &Workspace::backupFound, this, [this](const std::filesystem::path &project) {
@@ -192,8 +193,8 @@ void MainWindow::rescueProject()
 {
     if (m_workspace->project()->isInPlace()) // said once more before it was rescued
         return;
-    const QString name = QString::fromStdString(m_workspace->project()->file().filename().string());
-    if (m_workspace->isBusy() || (m_pages && m_pages->isRecording())) {
+    const QString name = projectName();
+    if (isWorking()) {
         m_messages->showDone(tr("“%1” was deleted, renamed or replaced by another program. What is in it is rescued as soon as the running work has ended.").arg(name));
         return;
     }
@@ -205,6 +206,36 @@ void MainWindow::rescueProject()
                                  .arg(name, QString::fromStdString(rescued->filename().string())));
     else
         tellFailure(rescued.error());
+}
+
+/// Another program wrote over the file while it was open: what it held before is gone.
+void MainWindow::reopenProject()
+{
+    if (!m_workspace->project() || !m_workspace->project()->isOverwritten()) // said once more before it was opened again
+        return;
+    const QString name = projectName();
+    if (isWorking()) {
+        m_messages->showDone(tr("Another program wrote over “%1”. What it holds now is opened as soon as the running work has ended.").arg(name));
+        return;
+    }
+    if (const Result<void> opened = m_workspace->reopen(); !opened) {
+        m_modeBar->setModesEnabled(false);
+        showTitle();
+        tellFailure(opened.error());
+        return;
+    }
+    m_messages->showDone(tr("Another program wrote over “%1” while it was open. What it holds now is shown.").arg(name));
+}
+
+QString MainWindow::projectName() const
+{
+    return QString::fromStdString(m_workspace->project()->file().filename().string());
+}
+
+/// On the project.
+bool MainWindow::isWorking() const
+{
+    return m_workspace->isBusy() || (m_pages && m_pages->isRecording());
 }
 
 void MainWindow::closePages()

@@ -86,6 +86,9 @@ private:
     void showTitle();
     void showState();
     void rescueProject();
+    void reopenProject();
+    QString projectName() const;
+    bool isWorking() const;
     void tellFailure(const Error &error);
     void showDesk(Mode mode);
 

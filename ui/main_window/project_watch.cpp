@@ -42,6 +42,10 @@ void ProjectWatch::look()
         Q_EMIT lost();
         return; // the handler may have closed the project, and this with it
     }
+    if (m_project.isOverwritten()) {
+        Q_EMIT overwritten();
+        return;
+    }
     noteState();
     if (!isSaved() && (m_quiet.hasExpired(quietTime.count()) || m_written.hasExpired(longestUnwritten.count())))
         writeBack();

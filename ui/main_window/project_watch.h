@@ -33,6 +33,8 @@ Q_SIGNALS:
     void savedChanged();
     /// The file is no longer where it was opened; again at each look, as long as that is so.
     void lost();
+    /// Another program wrote over the file; likewise.
+    void overwritten();
 
 private:
     void look();

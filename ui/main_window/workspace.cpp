@@ -191,6 +191,7 @@ void Workspace::adopt(std::unique_ptr<Project> project, std::unique_ptr<WindowLo
     connect(m_watch.get(), &ProjectWatch::changedOutside, this, &Workspace::changed);
     connect(m_watch.get(), &ProjectWatch::savedChanged, this, &Workspace::savedChanged);
     connect(m_watch.get(), &ProjectWatch::lost, this, &Workspace::lost, Qt::QueuedConnection);
+    connect(m_watch.get(), &ProjectWatch::overwritten, this, &Workspace::overwritten, Qt::QueuedConnection);
     m_runner = std::make_unique<JobRunner>(*m_project);
     connect(m_runner.get(), &JobRunner::progressed, this, &Workspace::jobProgressed);
     connect(m_runner.get(), &JobRunner::finished, this,
@@ -210,6 +211,17 @@ Result<std::filesystem::path> Workspace::rescue()
     if (const Result<void> shown = open(*file); !shown)
         return tl::unexpected(shown.error());
     return file;
+}
+
+Result<void> Workspace::reopen()
+{
+    const std::filesystem::path file = m_project->file();
+    Q_EMIT aboutToClose();
+    m_runner.reset();
+    m_watch.reset();
+    m_project.reset();
+    m_lock.reset();
+    return open(file);
 }
 
 void Workspace::finishJob(const std::optional<Error> &error)

@@ -58,6 +58,9 @@ public:
     /// For a project whose file was deleted, renamed or replaced: copies what is in it to a new file beside it, and opens
     /// that. Gives the new file.
     Result<std::filesystem::path> rescue();
+    /// For a project whose file another program wrote over: closes it and opens what the file holds now. Where that cannot be opened no
+    /// project is open afterwards.
+    Result<void> reopen();
 
 Q_SIGNALS:
     /// Something was done on opening that the user should know.
@@ -67,6 +70,7 @@ Q_SIGNALS:
     void changed(); ///< by a job that ran on it, or by another program
     void savedChanged();
     void lost(); ///< the project's file was deleted, renamed or replaced; again and again until it is rescued
+    void overwritten(); ///< another program wrote over the project's file; likewise, until it is opened again
     void jobStarted(const QString &words);
     void jobProgressed(double fraction, const QString &text);
     /// Every job ends with one of these; a cancelled one fails with ErrorCode::Cancelled.

@@ -93,6 +93,33 @@ private Q_SLOTS:
         }
     }
 
+    void whatIsCopiedOverItIsOpened_data()
+    {
+        QTest::addColumn<bool>("isProject");
+        QTest::newRow("another project") << true;
+        QTest::newRow("something else") << false;
+    }
+    void whatIsCopiedOverItIsOpened()
+    {
+        QFETCH(bool, isProject);
+        QVERIFY(project().teams().add({0, "Kestrel", "9B"}));
+        QVERIFY(Project::create(folder() / "other.odo", "another"));
+        if (!isProject)
+            fs::resize_file(folder() / "other.odo", 1000);
+        fs::copy_file(folder() / "other.odo", m_project, fs::copy_options::overwrite_existing);
+        const auto *messages = m_window->findChild<MessageBar *>();
+        if (!isProject) {
+            QTRY_VERIFY_WITH_TIMEOUT(!m_window->workspace().project(), 3000);
+            QVERIFY(messages->text().contains(QStringLiteral("example.odo")));
+            return;
+        }
+        QTRY_COMPARE_WITH_TIMEOUT(project().title().value(), std::string("another"), 3000);
+        QCOMPARE(messages->text(), QStringLiteral("Another program wrote over “example.odo” while it was open. What it holds now is shown."));
+        QVERIFY(!m_window->workspace().isReadOnly());
+        QVERIFY(!project().teams().find("Kestrel"));
+        QVERIFY(project().teams().add({0, "Merlin", "9B"}));
+    }
+
 private:
     fs::path folder() const { return m_folder->path().toStdString(); }
     Project &project() { return *m_window->workspace().project(); }
