@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Import, track, export, reprocess, pack and record, ended by SIGKILL or SIGTERM at random moments: the project stays whole, what was acknowledged is
-// there, and check names every file that was left in the media folder. ODOGRAPH_STOPS says how many; 26 without it, three of thirteen by SIGTERM.
+// there, and check names every file that was left in the media folder. ODOGRAPH_STOPS says how many must hit a call before it has ended; 19 without it,
+// three of thirteen by SIGTERM.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/pack_job.h"
@@ -59,7 +60,7 @@ private:
 
     std::unique_ptr<QTemporaryDir> m_lesson;
     std::set<std::string> m_acknowledged; ///< trials
-    int m_recordingsKept = 0, m_strays = 0, m_ended = 0;
+    int m_recordingsKept = 0, m_strays = 0, m_killed = 0, m_terminated = 0;
     qint64 m_longestStopMs = 0;
 };
 
@@ -104,7 +105,7 @@ void TestStoppedAnywhere::stop(const Call &call, int signal, int afterMs)
         QVERIFY2(program.waitForFinished(longestRunMs), qPrintable(call.name));
         m_longestStopMs = std::max(m_longestStopMs, since.elapsed());
         QVERIFY2(since.elapsed() < longestStopMs, qPrintable(call.name + QString::number(since.elapsed())));
-        ++m_ended;
+        ++(signal == SIGKILL ? m_killed : m_terminated);
     }
     const QByteArray answer = program.readAllStandardOutput(), error = program.readAllStandardError();
     const int status = program.exitStatus() == QProcess::NormalExit ? program.exitCode() : -1;
@@ -159,9 +160,11 @@ void TestStoppedAnywhere::lookAtStrays(Project &project, bool withHashes)
 
 void TestStoppedAnywhere::nothingAcknowledgedIsLost()
 {
-    const int asked = qEnvironmentVariableIntValue("ODOGRAPH_STOPS"), stops = asked > 0 ? asked : stopsALesson;
+    constexpr int sample = 19;
+    const int asked = qEnvironmentVariableIntValue("ODOGRAPH_STOPS"), stops = asked > 0 ? asked : sample;
     std::mt19937 random(32);
-    for (int i = 0; i < stops; ++i) {
+    int i = 0;
+    for (; m_killed + m_terminated < stops && i < 3 * stops; ++i) {
         if (i % stopsALesson == 0) {
             m_acknowledged.clear();
             m_lesson = std::make_unique<QTemporaryDir>();
@@ -177,11 +180,9 @@ void TestStoppedAnywhere::nothingAcknowledgedIsLost()
             lookAtProject((i + 1) % stopsALesson == 0);
         if (QTest::currentTestFailed())
             QFAIL(qPrintable(QStringLiteral("stop %1: %2, signal %3").arg(i).arg(call.name).arg(signal)));
-        if ((i + 1) % 100 == 0)
-            qInfo("%d of %d ended, %d strays named, %d recordings kept, %lld ms at most", m_ended, i + 1, m_strays, m_recordingsKept, m_longestStopMs);
     }
-    qInfo("%d of %d ended, %d strays named, %d recordings kept, %lld ms at most", m_ended, stops, m_strays, m_recordingsKept, m_longestStopMs);
-    QVERIFY(m_ended > stops / 2);
+    qInfo("of %d calls %d killed and %d terminated, %d strays named, %d recordings kept, %lld ms at most", i, m_killed, m_terminated, m_strays, m_recordingsKept, m_longestStopMs);
+    QVERIFY(m_killed + m_terminated >= stops);
 }
 
 int main(int argc, char **argv)
