@@ -1,27 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/robot_body.h"
 
+#include "core/geometry/rigid_transform.h"
+#include "core/simulation/convex_polygon.h"
+#include "core/simulation/solid.h"
+
+#include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <iterator>
 
 namespace odo {
 namespace {
 
-/// Outline in the robot's own axes, anticlockwise seen from above.
-std::vector<Eigen::Vector2d> baseOutline(const SimulatedRobot &robot)
+std::vector<RobotPart> partsOf(const SimulatedRobot &robot)
 {
-    std::vector<Eigen::Vector2d> outline;
-    if (robot.shape == SimulatedShape::Box) {
-        const double l = robot.lengthM / 2, w = robot.widthM / 2;
-        return {{l, w}, {-l, w}, {-l, -w}, {l, -w}};
-    }
-    // The regular polygon has the circle's area: its corners lie 0.04 % outside, the middles of its sides
-    // inside.
-    const double step = 2 * std::numbers::pi / cylinderSides;
-    const double radius = robot.lengthM / 2 * std::sqrt(step / std::sin(step));
-    for (int i = 0; i < cylinderSides; ++i)
-        outline.emplace_back(radius * std::cos(i * step), radius * std::sin(i * step));
-    return outline;
+    if (!robot.parts.empty())
+        return robot.parts;
+    return {{robot.shape, robot.colour, {0, 0, robot.heightM / 2}, {robot.lengthM, robot.shape == SimulatedShape::Cylinder ? robot.lengthM : robot.widthM, robot.heightM}}};
 }
 
 std::vector<Eigen::Vector2d> grown(const std::vector<Eigen::Vector2d> &outline, double marginM)
@@ -43,24 +38,103 @@ std::vector<Eigen::Vector2d> grown(const std::vector<Eigen::Vector2d> &outline, 
     return result;
 }
 
-std::vector<Eigen::Vector3d> placed(const std::vector<Eigen::Vector2d> &outline, const MotionState &state,
-                                    double heightM)
+/// From the robot's frame to the world's.
+RigidTransform worldFromRobot(const MotionState &state)
 {
-    const Eigen::Matrix2d turn = Eigen::Rotation2Dd(state.headingRad).toRotationMatrix();
-    std::vector<Eigen::Vector3d> result;
-    result.reserve(outline.size());
-    for (const Eigen::Vector2d &point : outline) {
-        const Eigen::Vector2d inWorld = turn * point + state.position;
-        result.emplace_back(inWorld.x(), inWorld.y(), heightM);
-    }
-    return result;
+    return {Eigen::Quaterniond(Eigen::AngleAxisd(state.headingRad, Eigen::Vector3d::UnitZ())), {state.position.x(), state.position.y(), 0}};
 }
 
-/// Daylight from one side of the room, and a good deal from everywhere.
-float sideShade(const Eigen::Vector2d &normal)
+/// Daylight from one side of the room, and a good deal from everywhere; little from below.
+float shadeOf(const Eigen::Vector3d &normalInWorld)
 {
+    constexpr double below = 0.4;
     const Eigen::Vector2d light = Eigen::Vector2d(-0.5, -0.85).normalized();
-    return static_cast<float>(0.66 + 0.12 * normal.dot(light));
+    const Eigen::Vector2d across = normalInWorld.head<2>();
+    const double up = normalInWorld.z();
+    if (across.norm() < 1e-9)
+        return up > 0 ? 1.f : static_cast<float>(below);
+    const double side = 0.66 + 0.12 * across.normalized().dot(light);
+    return static_cast<float>(std::lerp(side, up > 0 ? 1.0 : below, up * up));
+}
+
+/// Directions from a camera as points of a plane before it: flat pieces stay flat, and what is convex stays convex.
+class Sight
+{
+public:
+    Sight(const Eigen::Vector3d &camera, const Eigen::Vector3d &towards) : m_camera(camera)
+    {
+        m_ahead = (towards - camera).normalized();
+        m_right = m_ahead.cross(Eigen::Vector3d::UnitZ()).normalized();
+        m_up = m_right.cross(m_ahead);
+    }
+
+    ConvexPolygon of(const std::vector<Eigen::Vector3d> &corners) const
+    {
+        ConvexPolygon polygon;
+        for (const Eigen::Vector3d &corner : corners) {
+            const Eigen::Vector3d away = corner - m_camera;
+            polygon.emplace_back(Eigen::Vector2d(m_right.dot(away), m_up.dot(away)) / m_ahead.dot(away));
+        }
+        return polygon;
+    }
+    /// Points on the plane, at a distance of 1 m.
+    std::vector<Eigen::Vector3d> inSpace(const ConvexPolygon &polygon) const
+    {
+        std::vector<Eigen::Vector3d> corners;
+        for (const Eigen::Vector2d &point : polygon)
+            corners.emplace_back(m_camera + m_ahead + point.x() * m_right + point.y() * m_up);
+        return corners;
+    }
+
+private:
+    Eigen::Vector3d m_camera, m_ahead, m_right, m_up;
+};
+
+/// What is left of a face behind what is nearer. One that is not hidden stays as it is.
+std::vector<std::vector<Eigen::Vector3d>> leftOf(const std::vector<Eigen::Vector3d> &face, const std::vector<ConvexPolygon> &nearer, const Sight &sight)
+{
+    const std::vector<ConvexPolygon> whole{sight.of(face)};
+    std::vector<ConvexPolygon> pieces = whole;
+    for (const ConvexPolygon &outline : nearer) {
+        std::vector<ConvexPolygon> left;
+        for (const ConvexPolygon &piece : pieces)
+            std::ranges::move(outsideOf(outline, piece), std::back_inserter(left));
+        pieces = std::move(left);
+    }
+    if (pieces == whole)
+        return {face};
+    std::vector<std::vector<Eigen::Vector3d>> corners;
+    for (const ConvexPolygon &piece : pieces)
+        corners.push_back(sight.inSpace(piece));
+    return corners;
+}
+
+/// Whether a part surely hides nothing of another one: a plane along the robot's axes parts them, and the camera is on the other's side.
+bool hidesNothingOf(const RobotPart &part, const RobotPart &other, const Eigen::Vector3d &camera)
+{
+    constexpr double touching = 1e-9;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (other.lower()[axis] >= part.upper()[axis] - touching && camera[axis] >= other.lower()[axis])
+            return true;
+        if (other.upper()[axis] <= part.lower()[axis] + touching && camera[axis] <= other.upper()[axis])
+            return true;
+    }
+    return false;
+}
+
+std::vector<RobotPart> nearestFirst(std::vector<RobotPart> parts, const Eigen::Vector3d &camera)
+{
+    std::vector<RobotPart> sorted;
+    while (!parts.empty()) {
+        auto next = std::find_if(parts.begin(), parts.end(), [&](const RobotPart &part) {
+            return std::all_of(parts.begin(), parts.end(), [&](const RobotPart &other) { return &other == &part || hidesNothingOf(other, part, camera); });
+        });
+        if (next == parts.end())
+            next = std::min_element(parts.begin(), parts.end(), [&](const RobotPart &a, const RobotPart &b) { return (a.centreM - camera).norm() < (b.centreM - camera).norm(); });
+        sorted.push_back(*next);
+        parts.erase(next);
+    }
+    return sorted;
 }
 
 } // namespace
@@ -68,26 +142,42 @@ float sideShade(const Eigen::Vector2d &normal)
 std::vector<BodyFace> visibleFaces(const SimulatedRobot &robot, const MotionState &state,
                                    const Eigen::Vector3d &cameraInWorld)
 {
-    const std::vector<Eigen::Vector2d> outline = baseOutline(robot);
-    const std::vector<Eigen::Vector3d> bottom = placed(outline, state, 0.0);
-    const std::vector<Eigen::Vector3d> top = placed(outline, state, robot.heightM);
-    const Rgb colour = toRgb(robot.colour);
+    const RigidTransform toWorld = worldFromRobot(state);
+    const Eigen::Vector3d camera = toWorld.inverse() * cameraInWorld;
+    const std::vector<RobotPart> parts = nearestFirst(partsOf(robot), camera);
+    const Sight sight(camera, {0, 0, robot.heightM / 2});
+    std::vector<ConvexPolygon> nearer; ///< the outlines of the parts before
     std::vector<BodyFace> faces;
-    if (cameraInWorld.z() > robot.heightM)
-        faces.push_back({top, colour});
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const std::size_t j = (i + 1) % outline.size();
-        const Eigen::Vector2d along = (bottom[j] - bottom[i]).head<2>();
-        const Eigen::Vector2d normal = Eigen::Vector2d(along.y(), -along.x()).normalized();
-        if (normal.dot((cameraInWorld - bottom[i]).head<2>()) > 0)
-            faces.push_back({{bottom[i], bottom[j], top[j], top[i]}, colour * sideShade(normal)});
+    for (const RobotPart &part : parts) {
+        std::vector<Eigen::Vector3d> all;
+        for (const SolidFace &face : facesOf(part, camera)) {
+            all.insert(all.end(), face.corners.begin(), face.corners.end());
+            if (!face.isSeenFrom(camera))
+                continue;
+            const Rgb colour = toRgb(part.colour) * shadeOf(toWorld.rotation * face.normal);
+            for (std::vector<Eigen::Vector3d> &corners : leftOf(face.corners, nearer, sight)) {
+                for (Eigen::Vector3d &corner : corners)
+                    corner = toWorld * corner;
+                faces.push_back({std::move(corners), colour});
+            }
+        }
+        nearer.push_back(convexHull(sight.of(all)));
     }
     return faces;
 }
 
 std::vector<Eigen::Vector3d> footprint(const SimulatedRobot &robot, const MotionState &state, double marginM)
 {
-    return placed(grown(baseOutline(robot), marginM), state, 0.0);
+    std::vector<Eigen::Vector2d> outline;
+    for (const RobotPart &part : partsOf(robot)) {
+        const std::vector<Eigen::Vector2d> own = outlineFromAbove(part);
+        outline.insert(outline.end(), own.begin(), own.end());
+    }
+    const RigidTransform toWorld = worldFromRobot(state);
+    std::vector<Eigen::Vector3d> result;
+    for (const Eigen::Vector2d &point : grown(convexHull(std::move(outline)), marginM))
+        result.push_back(toWorld * Eigen::Vector3d(point.x(), point.y(), 0));
+    return result;
 }
 
 } // namespace odo

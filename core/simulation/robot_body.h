@@ -15,15 +15,12 @@ struct BodyFace
     Rgb colour;
 };
 
-/// The faces of a robot that a camera can see; they do not overlap in its picture. The top has the robot's
-/// colour, the sides the same hue, darker, depending on where they face.
+/// The faces of a robot's parts that a camera can see, cut to what no nearer part hides: they do not overlap in its picture. What lies
+/// level has its part's colour, sides the same hue, darker, depending on where they face.
 std::vector<BodyFace> visibleFaces(const SimulatedRobot &robot, const MotionState &state,
                                    const Eigen::Vector3d &cameraInWorld);
 
 /// The robot's footprint grown by a margin with rounded corners, on the floor.
 std::vector<Eigen::Vector3d> footprint(const SimulatedRobot &robot, const MotionState &state, double marginM);
-
-/// The sides of a regular prism that stands for a cylinder.
-constexpr int cylinderSides = 96;
 
 } // namespace odo

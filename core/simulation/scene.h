@@ -5,6 +5,7 @@
 #include "core/calibration/marker_layout.h"
 #include "core/geometry/floor_view.h"
 #include "core/simulation/motion.h"
+#include "core/simulation/robot_part.h"
 #include "core/video/frame.h"
 
 #include <cstdint>
@@ -13,15 +14,14 @@
 
 namespace odo {
 
-enum class SimulatedShape { Box, Cylinder };
-
 struct SimulatedRobot
 {
     std::string name;
     RgbColour colour;
-    SimulatedShape shape = SimulatedShape::Box;
+    SimulatedShape shape = SimulatedShape::Box;           ///< Box or Cylinder
     double lengthM = 0.26, widthM = 0.19, heightM = 0.06; ///< cylinder: length is the diameter
     std::shared_ptr<const Motion> motion;
+    std::vector<RobotPart> parts = {}; ///< what it is made of; empty: one solid of that shape, colour and size, which stands on the floor
 };
 
 /// A flat patch on the floor of any colour: tape, or a distractor of the robot's own colour. Corners in
