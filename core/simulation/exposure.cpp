@@ -39,22 +39,35 @@ public:
         for (const Reflection &reflection : m_scene.reflections)
             if (reflection.camera < 0 || reflection.camera == m_camera)
                 keep(reflectionThing(reflection), result);
-        for (const SimulatedRobot &robot : m_scene.robots)
-            if (m_scene.floor.shadowStrength > 0)
-                keep(shadowThing(robot), result);
+        for (const SimulatedRobot *body : bodies()) {
+            keep(mirrorThing(*body), result);
+            keep(shadowThing(*body), result);
+            for (const Lamp &lamp : m_scene.lamps)
+                keep(castShadowThing(*body, lamp), result);
+        }
         for (const Standing &standing : farthestFirst())
             keep(standing.robot ? robotThing(*standing.robot) : occluderThing(*standing.occluder), result);
         return result;
     }
 
 private:
-    /// One upright thing on the floor: a robot or an occluder.
+    /// One upright thing on the floor: a robot, a bystander or an occluder.
     struct Standing
     {
         const SimulatedRobot *robot = nullptr;
         const Occluder *occluder = nullptr;
         Eigen::Vector2d middle = Eigen::Vector2d::Zero();
     };
+
+    /// Robots and bystanders.
+    std::vector<const SimulatedRobot *> bodies() const
+    {
+        std::vector<const SimulatedRobot *> all;
+        for (const auto *some : {&m_scene.robots, &m_scene.bystanders})
+            for (const SimulatedRobot &body : *some)
+                all.push_back(&body);
+        return all;
+    }
 
     void keep(PaintedThing thing, std::vector<PaintedThing> &result) const
     {
@@ -119,22 +132,55 @@ private:
     {
         // Nested outlines whose opacities add up: dark at the foot, fading out over a third of the height.
         constexpr int rings = 6;
+        constexpr double highestM = 0.3;
         PaintedThing thing;
+        if (m_scene.floor.shadowStrength <= 0)
+            return thing;
         const MotionState state = robot.motion->at(m_timeS);
         for (int i = 0; i < rings; ++i)
-            addPiece(thing, footprint(robot, state, robot.heightM * 0.4 * (i + 0.5) / rings), Rgb::Zero(),
+            addPiece(thing, footprint(robot, state, std::min(robot.heightM, highestM) * 0.4 * (i + 0.5) / rings), Rgb::Zero(),
                      m_scene.floor.shadowStrength / rings);
+        return thing;
+    }
+
+    /// The lamp as points of light, which together make its soft shadow.
+    PaintedThing castShadowThing(const SimulatedRobot &robot, const Lamp &lamp) const
+    {
+        constexpr int points = 12;
+        PaintedThing thing;
+        const MotionState state = robot.motion->at(m_timeS);
+        for (int i = 0; i < points; ++i) {
+            // Evenly spread over the disc (H. Vogel 1979).
+            const double radius = lamp.radiusM * std::sqrt((i + 0.5) / points), angle = i * std::numbers::pi * (3 - std::sqrt(5.0));
+            const Eigen::Vector3d light = lamp.positionM + Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), 0);
+            for (const std::vector<Eigen::Vector3d> &piece : castShadow(robot, state, light))
+                addPiece(thing, piece, Rgb::Zero(), lamp.strength / points);
+        }
+        return thing;
+    }
+
+    PaintedThing mirrorThing(const SimulatedRobot &robot) const
+    {
+        PaintedThing thing;
+        if (m_scene.floor.gloss > 0)
+            addFaces(thing, robot, mirroredFaces, m_scene.floor.gloss);
         return thing;
     }
 
     PaintedThing robotThing(const SimulatedRobot &robot) const
     {
         PaintedThing thing;
+        addFaces(thing, robot, visibleFaces, 1.0);
+        return thing;
+    }
+
+    void addFaces(PaintedThing &thing, const SimulatedRobot &robot,
+                  std::vector<BodyFace> (*facesOf)(const SimulatedRobot &, const MotionState &, const Eigen::Vector3d &), double weight) const
+    {
         const std::vector<double> times = subSteps(robot);
         for (const double time : times)
-            for (const BodyFace &face : visibleFaces(robot, robot.motion->at(time), m_view.cameraInWorld()))
-                addPiece(thing, face.corners, face.colour, 1.0 / static_cast<double>(times.size()));
-        return thing;
+            for (const BodyFace &face : facesOf(robot, robot.motion->at(time), m_view.cameraInWorld()))
+                addPiece(thing, face.corners, face.colour, weight / static_cast<double>(times.size()));
     }
 
     PaintedThing occluderThing(const Occluder &occluder) const
@@ -173,8 +219,8 @@ private:
     std::vector<Standing> farthestFirst() const
     {
         std::vector<Standing> left, sorted;
-        for (const SimulatedRobot &robot : m_scene.robots)
-            left.push_back({&robot, nullptr, robot.motion->at(m_timeS).position});
+        for (const SimulatedRobot *body : bodies())
+            left.push_back({body, nullptr, body->motion->at(m_timeS).position});
         for (const Occluder &occluder : m_scene.occluders)
             left.push_back({nullptr, &occluder, (occluder.from + occluder.to) / 2});
         while (!left.empty()) {

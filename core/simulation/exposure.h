@@ -24,7 +24,7 @@ struct PaintedThing
 };
 
 /// Everything that moves or comes and goes, as a camera sees it in an exposure about a time, from the
-/// farthest to the nearest: reflections, shadows, robots, occluders.
+/// farthest to the nearest: reflections, mirror images, shadows, robots and bystanders, occluders.
 std::vector<PaintedThing> thingsInExposure(const SimulatedScene &scene, int camera,
                                            const PictureOutline &outline, double timeS);
 

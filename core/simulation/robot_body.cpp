@@ -90,18 +90,25 @@ private:
     Eigen::Vector3d m_camera, m_ahead, m_right, m_up;
 };
 
-/// What is left of a face behind what is nearer. One that is not hidden stays as it is.
-std::vector<std::vector<Eigen::Vector3d>> leftOf(const std::vector<Eigen::Vector3d> &face, const std::vector<ConvexPolygon> &nearer, const Sight &sight)
+/// What of a polygon lies outside all others.
+std::vector<ConvexPolygon> leftOf(const ConvexPolygon &polygon, const std::vector<ConvexPolygon> &others)
 {
-    const std::vector<ConvexPolygon> whole{sight.of(face)};
-    std::vector<ConvexPolygon> pieces = whole;
-    for (const ConvexPolygon &outline : nearer) {
+    std::vector<ConvexPolygon> pieces{polygon};
+    for (const ConvexPolygon &other : others) {
         std::vector<ConvexPolygon> left;
         for (const ConvexPolygon &piece : pieces)
-            std::ranges::move(outsideOf(outline, piece), std::back_inserter(left));
+            std::ranges::move(outsideOf(other, piece), std::back_inserter(left));
         pieces = std::move(left);
     }
-    if (pieces == whole)
+    return pieces;
+}
+
+/// What is left of a face behind what is nearer. One that is not hidden stays as it is.
+std::vector<std::vector<Eigen::Vector3d>> visiblePieces(const std::vector<Eigen::Vector3d> &face, const std::vector<ConvexPolygon> &nearer, const Sight &sight)
+{
+    const ConvexPolygon whole = sight.of(face);
+    const std::vector<ConvexPolygon> pieces = leftOf(whole, nearer);
+    if (pieces.size() == 1 && pieces.front() == whole)
         return {face};
     std::vector<std::vector<Eigen::Vector3d>> corners;
     for (const ConvexPolygon &piece : pieces)
@@ -155,7 +162,7 @@ std::vector<BodyFace> visibleFaces(const SimulatedRobot &robot, const MotionStat
             if (!face.isSeenFrom(camera))
                 continue;
             const Rgb colour = toRgb(part.colour) * shadeOf(toWorld.rotation * face.normal);
-            for (std::vector<Eigen::Vector3d> &corners : leftOf(face.corners, nearer, sight)) {
+            for (std::vector<Eigen::Vector3d> &corners : visiblePieces(face.corners, nearer, sight)) {
                 for (Eigen::Vector3d &corner : corners)
                     corner = toWorld * corner;
                 faces.push_back({std::move(corners), colour});
@@ -164,6 +171,42 @@ std::vector<BodyFace> visibleFaces(const SimulatedRobot &robot, const MotionStat
         nearer.push_back(convexHull(sight.of(all)));
     }
     return faces;
+}
+
+std::vector<BodyFace> mirroredFaces(const SimulatedRobot &robot, const MotionState &state, const Eigen::Vector3d &cameraInWorld)
+{
+    const auto mirror = [](Eigen::Vector3d &point) { point.z() = -point.z(); };
+    Eigen::Vector3d camera = cameraInWorld;
+    mirror(camera); // which sees of the robot what the camera sees of the image
+    std::vector<BodyFace> faces = visibleFaces(robot, state, camera);
+    for (BodyFace &face : faces)
+        std::ranges::for_each(face.corners, mirror);
+    return faces;
+}
+
+std::vector<std::vector<Eigen::Vector3d>> castShadow(const SimulatedRobot &robot, const MotionState &state, const Eigen::Vector3d &lightInWorld)
+{
+    const RigidTransform toWorld = worldFromRobot(state);
+    const Eigen::Vector3d light = toWorld.inverse() * lightInWorld;
+    std::vector<ConvexPolygon> shadows, pieces;
+    for (const RobotPart &part : partsOf(robot)) {
+        if (part.upper().z() >= light.z())
+            continue;
+        std::vector<Eigen::Vector2d> points;
+        for (const SolidFace &face : facesOf(part, light))
+            for (const Eigen::Vector3d &corner : face.corners)
+                points.emplace_back(light.head<2>() + (corner - light).head<2>() * (light.z() / (light.z() - corner.z())));
+        const ConvexPolygon shadow = convexHull(std::move(points));
+        std::ranges::copy(leftOf(shadow, shadows), std::back_inserter(pieces));
+        shadows.push_back(shadow);
+    }
+    std::vector<std::vector<Eigen::Vector3d>> onFloor;
+    for (const ConvexPolygon &piece : pieces) {
+        std::vector<Eigen::Vector3d> &corners = onFloor.emplace_back();
+        for (const Eigen::Vector2d &point : piece)
+            corners.push_back(toWorld * Eigen::Vector3d(point.x(), point.y(), 0));
+    }
+    return onFloor;
 }
 
 std::vector<Eigen::Vector3d> footprint(const SimulatedRobot &robot, const MotionState &state, double marginM)

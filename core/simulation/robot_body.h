@@ -20,6 +20,12 @@ struct BodyFace
 std::vector<BodyFace> visibleFaces(const SimulatedRobot &robot, const MotionState &state,
                                    const Eigen::Vector3d &cameraInWorld);
 
+/// Its mirror image in the floor, likewise.
+std::vector<BodyFace> mirroredFaces(const SimulatedRobot &robot, const MotionState &state, const Eigen::Vector3d &cameraInWorld);
+
+/// The shadow that a point of light casts on the floor, in convex pieces that do not overlap. Parts that reach as high as the light cast none.
+std::vector<std::vector<Eigen::Vector3d>> castShadow(const SimulatedRobot &robot, const MotionState &state, const Eigen::Vector3d &lightInWorld);
+
 /// The robot's footprint grown by a margin with rounded corners, on the floor.
 std::vector<Eigen::Vector3d> footprint(const SimulatedRobot &robot, const MotionState &state, double marginM);
 

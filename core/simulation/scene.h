@@ -58,6 +58,14 @@ struct LightChange
     double startS = 0, durationS = 1e9;
 };
 
+/// A lamp over the floor: what stands in its light casts a shadow, which is the softer the larger the lamp is.
+struct Lamp
+{
+    Eigen::Vector3d positionM{0, 0, 2.5};
+    double radiusM = 0.1;
+    double strength = 0.3; ///< share of the floor's light that comes from it
+};
+
 /// What a simulated camera adds to the perfect picture.
 struct SensorModel
 {
@@ -102,6 +110,7 @@ struct SimulatedFloor
     double markerSideM = 0.16; ///< side of the tag's black square, outer diameter of a ring or disc; 0: none drawn
     std::vector<FloorPatch> patches;
     double shadowStrength = 0.35; ///< of the soft shadow where a robot meets the floor; 0: none
+    double gloss = 0;             ///< how strong the mirror images in it are; 1: a mirror
     MarkerFigure markerFigure = MarkerFigure::Tag;
 };
 
@@ -111,9 +120,11 @@ struct SimulatedScene
 {
     SimulatedFloor floor;
     std::vector<SimulatedRobot> robots;
+    std::vector<SimulatedRobot> bystanders; ///< whatever moves and is no robot: legs, hands, a ball
     std::vector<Reflection> reflections;
     std::vector<Occluder> occluders;
     std::vector<LightChange> lights;
+    std::vector<Lamp> lamps;
     std::vector<SimulatedCamera> cameras;
     double durationS = 10;
     std::uint32_t seed = 1;

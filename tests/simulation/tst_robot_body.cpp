@@ -140,6 +140,51 @@ private Q_SLOTS:
         }
         QVERIFY(seen.size() >= 4);
     }
+
+    /// A ray from the camera to the image meets what the ray from the mirrored camera meets.
+    void theImageInTheFloorIsTheBodyFromBelow()
+    {
+        const SimulatedRobot robot = rover();
+        MotionState state;
+        state.headingRad = 0.4;
+        const Vector camera(1.2, -1.4, 1.6);
+        double lowest = 0;
+        for (const BodyFace &face : mirroredFaces(robot, state, camera)) {
+            for (const Vector &corner : face.corners) {
+                const Vector along = corner - camera, onFloor = camera + along * (camera.z() / -along.z());
+                QVERIFY(along.z() < 0); // looked at through the floor
+                lowest = std::min(lowest, -onFloor.norm());
+            }
+        }
+        QVERIFY(lowest > -0.5); // and it is where the robot stands
+    }
+
+    void aShadowLiesWhereTheLightIsHidden()
+    {
+        const SimulatedRobot robot = rover();
+        MotionState state;
+        state.position = {0.3, 0.2};
+        state.headingRad = 0.9;
+        const Vector light(-0.4, 0.8, 1.1), origin(state.position.x(), state.position.y(), 0);
+        const auto pieces = castShadow(robot, state, light);
+        const Eigen::AngleAxisd turn(-state.headingRad, Vector::UnitZ());
+        std::mt19937 random(9);
+        std::uniform_real_distribution<double> place(-0.4, 0.4);
+        int dark = 0;
+        for (int i = 0; i < 20'000; ++i) {
+            const Vector point = origin + Vector(place(random), place(random), 0);
+            const auto isHidden = [&](const Vector &at) { return metBy(robot.parts, turn * (at - origin), turn * (light - at)) >= 0; };
+            constexpr double edge = 5e-4;
+            const bool hidden = isHidden(point);
+            if (isHidden(point + Vector(edge, 0, 0)) != hidden || isHidden(point - Vector(edge, 0, 0)) != hidden || isHidden(point + Vector(0, edge, 0)) != hidden ||
+                isHidden(point - Vector(0, edge, 0)) != hidden)
+                continue;
+            const auto found = std::count_if(pieces.begin(), pieces.end(), [&](const std::vector<Vector> &piece) { return isIn({piece, {}}, light, point - light); });
+            QCOMPARE(found, hidden ? 1 : 0);
+            dark += hidden;
+        }
+        QVERIFY(dark > 500);
+    }
 };
 
 QTEST_GUILESS_MAIN(TestRobotBody)
