@@ -6316,10 +6316,6 @@
         <translation>führen Sie odograph check aus, oder werten Sie den Versuch noch einmal aus</translation>
     </message>
     <message>
-        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;</source>
-        <translation>die Datei des Projekts wurde inzwischen gelöscht, umbenannt oder ersetzt; was darin war, ist in „%1“ gerettet</translation>
-    </message>
-    <message>
         <source>it has no name</source>
         <translation>sie hat keinen Namen</translation>
     </message>
@@ -6540,16 +6536,28 @@
         <translation>öffnen Sie jenes Projekt, oder verschieben Sie es mit seinen Videos in einen eigenen Ordner</translation>
     </message>
     <message>
-        <source>recording; the project&apos;s file is gone, what is in it will be rescued</source>
-        <translation>Aufnahme läuft; die Datei des Projekts ist verschwunden, ihr Inhalt wird gerettet</translation>
-    </message>
-    <message>
         <source>another program wrote over its file while it was open; nothing more was stored</source>
         <translation>ein anderes Programm hat seine Datei überschrieben, während es offen war; danach wurde nichts mehr gespeichert</translation>
     </message>
     <message>
         <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
         <translation>öffnen Sie es erneut; wenn Sie gerade aufgenommen haben, suchen Sie nach herrenlosen Dateien (odograph check --adopt)</translation>
+    </message>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced; recording goes on, and what is in it is rescued at the end</source>
+        <translation>die Datei des Projekts wurde gelöscht, umbenannt oder ersetzt; die Aufnahme geht weiter, und am Ende wird ihr Inhalt gerettet</translation>
+    </message>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;, which is the project from now on</source>
+        <translation>die Datei des Projekts wurde inzwischen gelöscht, umbenannt oder ersetzt; ihr Inhalt ist in &apos;%1&apos; gerettet, das von nun an das Projekt ist</translation>
+    </message>
+    <message>
+        <source>its file was deleted, renamed or replaced while it was open; nothing was stored</source>
+        <translation>seine Datei wurde gelöscht, umbenannt oder ersetzt, während es offen war; nichts wurde gespeichert</translation>
+    </message>
+    <message>
+        <source>put it back in its place and try again</source>
+        <translation>legen Sie sie an ihren Platz zurück und versuchen Sie es noch einmal</translation>
     </message>
 </context>
 <context>
@@ -11136,8 +11144,12 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Ein anderes Programm hat „%1“ überschrieben. Was jetzt darin ist, wird geöffnet, sobald die laufende Arbeit beendet ist.</translation>
     </message>
     <message>
-        <source>Another program wrote over “%1” while it was open. What it holds now is shown.</source>
-        <translation>Ein anderes Programm hat „%1“ überschrieben, während es offen war. Gezeigt wird, was jetzt darin ist.</translation>
+        <source>“%1” was renamed with its videos by another program. It is open as “%2” now.</source>
+        <translation>„%1“ wurde mit seinen Videos von einem anderen Programm umbenannt. Es ist jetzt als „%2“ geöffnet.</translation>
+    </message>
+    <message>
+        <source>Another program wrote over “%1” while it was open: what it held before is gone. What it holds now is shown.</source>
+        <translation>Ein anderes Programm hat „%1“ überschrieben, während es offen war: Was vorher darin war, ist verloren. Gezeigt wird, was jetzt darin ist.</translation>
     </message>
 </context>
 <context>

@@ -6316,10 +6316,6 @@
         <translation>ejecute odograph check o analice de nuevo el ensayo</translation>
     </message>
     <message>
-        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;</source>
-        <translation>entretanto, el archivo del proyecto se eliminó, se renombró o se sustituyó; lo que contenía se ha rescatado en «%1»</translation>
-    </message>
-    <message>
         <source>it has no name</source>
         <translation>no tiene nombre</translation>
     </message>
@@ -6540,16 +6536,28 @@
         <translation>abra ese proyecto o muévalo con sus vídeos a una carpeta propia</translation>
     </message>
     <message>
-        <source>recording; the project&apos;s file is gone, what is in it will be rescued</source>
-        <translation>grabando; el archivo del proyecto ha desaparecido, su contenido se rescatará</translation>
-    </message>
-    <message>
         <source>another program wrote over its file while it was open; nothing more was stored</source>
         <translation>otro programa ha sobrescrito su archivo mientras estaba abierto; no se ha guardado nada más</translation>
     </message>
     <message>
         <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
         <translation>ábralo de nuevo; si estaba grabando, busque archivos sueltos (odograph check --adopt)</translation>
+    </message>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced; recording goes on, and what is in it is rescued at the end</source>
+        <translation>el archivo del proyecto se ha borrado, renombrado o sustituido; la grabación continúa y su contenido se rescata al final</translation>
+    </message>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;, which is the project from now on</source>
+        <translation>el archivo del proyecto se ha borrado, renombrado o sustituido entretanto; su contenido se ha rescatado en &apos;%1&apos;, que es el proyecto a partir de ahora</translation>
+    </message>
+    <message>
+        <source>its file was deleted, renamed or replaced while it was open; nothing was stored</source>
+        <translation>su archivo se ha borrado, renombrado o sustituido mientras estaba abierto; no se ha guardado nada</translation>
+    </message>
+    <message>
+        <source>put it back in its place and try again</source>
+        <translation>devuélvalo a su sitio e inténtelo de nuevo</translation>
     </message>
 </context>
 <context>
@@ -11136,8 +11144,12 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Otro programa ha sobrescrito «%1». Lo que contiene ahora se abrirá en cuanto termine el trabajo en curso.</translation>
     </message>
     <message>
-        <source>Another program wrote over “%1” while it was open. What it holds now is shown.</source>
-        <translation>Otro programa ha sobrescrito «%1» mientras estaba abierto. Se muestra lo que contiene ahora.</translation>
+        <source>“%1” was renamed with its videos by another program. It is open as “%2” now.</source>
+        <translation>Otro programa ha cambiado el nombre de «%1» junto con sus vídeos. Ahora está abierto como «%2».</translation>
+    </message>
+    <message>
+        <source>Another program wrote over “%1” while it was open: what it held before is gone. What it holds now is shown.</source>
+        <translation>Otro programa ha sobrescrito «%1» mientras estaba abierto: lo que contenía antes se ha perdido. Se muestra lo que contiene ahora.</translation>
     </message>
 </context>
 <context>

@@ -6316,10 +6316,6 @@
         <translation>lancez odograph check, ou analysez de nouveau l’essai</translation>
     </message>
     <message>
-        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;</source>
-        <translation>le fichier du projet a été supprimé, renommé ou remplacé entre-temps ; son contenu a été récupéré dans « %1 »</translation>
-    </message>
-    <message>
         <source>it has no name</source>
         <translation>il n’a pas de nom</translation>
     </message>
@@ -6540,16 +6536,28 @@
         <translation>ouvrez ce projet, ou déplacez-le avec ses vidéos dans un dossier à part</translation>
     </message>
     <message>
-        <source>recording; the project&apos;s file is gone, what is in it will be rescued</source>
-        <translation>enregistrement en cours ; le fichier du projet a disparu, son contenu sera récupéré</translation>
-    </message>
-    <message>
         <source>another program wrote over its file while it was open; nothing more was stored</source>
         <translation>un autre programme a écrasé son fichier pendant qu’il était ouvert ; plus rien n’a été enregistré</translation>
     </message>
     <message>
         <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
         <translation>ouvrez-le à nouveau ; si vous étiez en train d’enregistrer, cherchez les fichiers orphelins (odograph check --adopt)</translation>
+    </message>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced; recording goes on, and what is in it is rescued at the end</source>
+        <translation>le fichier du projet a été supprimé, renommé ou remplacé ; l’enregistrement continue et son contenu est récupéré à la fin</translation>
+    </message>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;, which is the project from now on</source>
+        <translation>le fichier du projet a entre-temps été supprimé, renommé ou remplacé ; son contenu est récupéré dans &apos;%1&apos;, qui est désormais le projet</translation>
+    </message>
+    <message>
+        <source>its file was deleted, renamed or replaced while it was open; nothing was stored</source>
+        <translation>son fichier a été supprimé, renommé ou remplacé pendant qu’il était ouvert ; rien n’a été enregistré</translation>
+    </message>
+    <message>
+        <source>put it back in its place and try again</source>
+        <translation>remettez-le à sa place et réessayez</translation>
     </message>
 </context>
 <context>
@@ -11136,8 +11144,12 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Un autre programme a écrasé « %1 ». Son contenu actuel sera ouvert dès que le travail en cours sera terminé.</translation>
     </message>
     <message>
-        <source>Another program wrote over “%1” while it was open. What it holds now is shown.</source>
-        <translation>Un autre programme a écrasé « %1 » pendant qu’il était ouvert. Son contenu actuel est affiché.</translation>
+        <source>“%1” was renamed with its videos by another program. It is open as “%2” now.</source>
+        <translation>Un autre programme a renommé « %1 » avec ses vidéos. Il est maintenant ouvert sous le nom « %2 ».</translation>
+    </message>
+    <message>
+        <source>Another program wrote over “%1” while it was open: what it held before is gone. What it holds now is shown.</source>
+        <translation>Un autre programme a écrasé « %1 » pendant qu’il était ouvert : son contenu précédent est perdu. Son contenu actuel est affiché.</translation>
     </message>
 </context>
 <context>

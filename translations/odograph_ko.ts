@@ -6314,10 +6314,6 @@
         <translation>odograph check를 실행하거나 시행을 다시 분석하십시오</translation>
     </message>
     <message>
-        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;</source>
-        <translation>그동안 프로젝트 파일이 삭제되거나 이름이 바뀌거나 교체되었습니다. 그 내용은 &apos;%1&apos;에 구조되었습니다</translation>
-    </message>
-    <message>
         <source>it has no name</source>
         <translation>이름이 없습니다</translation>
     </message>
@@ -6538,16 +6534,28 @@
         <translation>그 프로젝트를 열거나 동영상과 함께 별도 폴더로 옮기십시오</translation>
     </message>
     <message>
-        <source>recording; the project&apos;s file is gone, what is in it will be rescued</source>
-        <translation>녹화 중. 프로젝트 파일이 사라졌으며 그 내용은 구조됩니다</translation>
-    </message>
-    <message>
         <source>another program wrote over its file while it was open; nothing more was stored</source>
         <translation>열려 있는 동안 다른 프로그램이 파일을 덮어썼습니다. 그 뒤로는 저장되지 않았습니다</translation>
     </message>
     <message>
         <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
         <translation>다시 여십시오. 녹화 중이었다면 소속 없는 파일을 찾아 보십시오 (odograph check --adopt)</translation>
+    </message>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced; recording goes on, and what is in it is rescued at the end</source>
+        <translation>프로젝트 파일이 삭제되거나 이름이 바뀌거나 교체되었습니다. 녹화는 계속되며 끝날 때 그 내용을 구해 냅니다</translation>
+    </message>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;, which is the project from now on</source>
+        <translation>그사이 프로젝트 파일이 삭제되거나 이름이 바뀌거나 교체되었습니다. 그 내용은 &apos;%1&apos;에 구해 두었으며 이제부터 이것이 프로젝트입니다</translation>
+    </message>
+    <message>
+        <source>its file was deleted, renamed or replaced while it was open; nothing was stored</source>
+        <translation>열려 있는 동안 파일이 삭제되거나 이름이 바뀌거나 교체되었습니다. 저장된 것이 없습니다</translation>
+    </message>
+    <message>
+        <source>put it back in its place and try again</source>
+        <translation>파일을 제자리에 되돌려 놓고 다시 시도하십시오</translation>
     </message>
 </context>
 <context>
@@ -11122,8 +11130,12 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>다른 프로그램이 “%1”을(를) 덮어썼습니다. 진행 중인 작업이 끝나면 지금 들어 있는 내용을 엽니다.</translation>
     </message>
     <message>
-        <source>Another program wrote over “%1” while it was open. What it holds now is shown.</source>
-        <translation>열려 있는 동안 다른 프로그램이 “%1”을(를) 덮어썼습니다. 지금 들어 있는 내용을 보여 줍니다.</translation>
+        <source>“%1” was renamed with its videos by another program. It is open as “%2” now.</source>
+        <translation>다른 프로그램이 “%1”의 이름을 동영상과 함께 바꿨습니다. 이제 “%2”(으)로 열려 있습니다.</translation>
+    </message>
+    <message>
+        <source>Another program wrote over “%1” while it was open: what it held before is gone. What it holds now is shown.</source>
+        <translation>열려 있는 동안 다른 프로그램이 “%1”을(를) 덮어써서 이전 내용이 사라졌습니다. 지금 들어 있는 내용을 보여 줍니다.</translation>
     </message>
 </context>
 <context>

@@ -6314,10 +6314,6 @@
         <translation>请运行 odograph check，或重新分析该试验</translation>
     </message>
     <message>
-        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;</source>
-        <translation>项目文件在此期间被删除、重命名或替换；其中的内容已抢救到“%1”</translation>
-    </message>
-    <message>
         <source>it has no name</source>
         <translation>没有名称</translation>
     </message>
@@ -6538,16 +6534,28 @@
         <translation>请打开该项目，或将其连同视频移到单独的文件夹</translation>
     </message>
     <message>
-        <source>recording; the project&apos;s file is gone, what is in it will be rescued</source>
-        <translation>正在录制；项目文件已不存在，其中的内容将被抢救</translation>
-    </message>
-    <message>
         <source>another program wrote over its file while it was open; nothing more was stored</source>
         <translation>打开期间另一个程序覆盖了其文件；此后未保存任何内容</translation>
     </message>
     <message>
         <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
         <translation>请重新打开；如果当时正在录制，请查找无归属的文件（odograph check --adopt）</translation>
+    </message>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced; recording goes on, and what is in it is rescued at the end</source>
+        <translation>项目文件被删除、重命名或替换；录制继续进行，结束时将挽救其内容</translation>
+    </message>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;, which is the project from now on</source>
+        <translation>项目文件在此期间被删除、重命名或替换；其内容已挽救到“%1”，今后它就是项目</translation>
+    </message>
+    <message>
+        <source>its file was deleted, renamed or replaced while it was open; nothing was stored</source>
+        <translation>打开期间其文件被删除、重命名或替换；未保存任何内容</translation>
+    </message>
+    <message>
+        <source>put it back in its place and try again</source>
+        <translation>请将其放回原处，然后重试</translation>
     </message>
 </context>
 <context>
@@ -11122,8 +11130,12 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>另一个程序覆盖了“%1”。正在进行的工作结束后，将打开其当前内容。</translation>
     </message>
     <message>
-        <source>Another program wrote over “%1” while it was open. What it holds now is shown.</source>
-        <translation>“%1”打开期间被另一个程序覆盖。现在显示的是其当前内容。</translation>
+        <source>“%1” was renamed with its videos by another program. It is open as “%2” now.</source>
+        <translation>另一个程序已将“%1”及其视频重命名。现在以“%2”打开。</translation>
+    </message>
+    <message>
+        <source>Another program wrote over “%1” while it was open: what it held before is gone. What it holds now is shown.</source>
+        <translation>“%1”打开期间被另一个程序覆盖：之前的内容已丢失。现在显示的是其当前内容。</translation>
     </message>
 </context>
 <context>

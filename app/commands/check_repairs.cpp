@@ -50,6 +50,8 @@ Result<void> remove(const CommandCall &call, Project &project, const FindStraysJ
         files.append(QString::fromStdString(file.string()));
         repairs.lines << QStringLiteral("File %1 removed").arg(QString::fromStdString(file.string()));
     }
+    for (const std::filesystem::path &file : found.others())
+        repairs.lines << QStringLiteral("File %1 stays").arg(QString::fromStdString(file.string()));
     repairs.json.insert(QStringLiteral("removed"), files);
     return {};
 }

@@ -17,6 +17,11 @@ Result<void> answerRecover(const CommandCall &call)
     const auto project = call.openProject(0, Project::Access::ReadWrite);
     if (!project)
         return tl::unexpected(project.error());
+    const auto trials = (*project)->trials().names();
+    if (!trials)
+        return tl::unexpected(trials.error());
+    if (const auto left = std::ranges::find_if(*trials, &TrialName::unfinished); left != trials->end())
+        return fail(ErrorCode::InvalidInput, "trial '" + left->name + "'", "its recording was cut off; it is not complete yet", "follow what is said above");
     call.answer({{QStringLiteral("project"), call.positional(0)}},
                 QStringLiteral("No recording is left that was cut off."));
     return {};
@@ -141,6 +146,7 @@ Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
     const auto project = call.openProject(0, Project::Access::ReadWrite);
     if (!project)
         return tl::unexpected(project.error());
+    settings->warn = CommandCall::warn;
     const auto job = recordTrial(**project, *settings, call.control());
     if (!job)
         return tl::unexpected(job.error());

@@ -152,11 +152,12 @@ ProjectConnection::~ProjectConnection()
         turn = HeldTurn(writeTurn());
     if (m_database.isOpen() && turn.isHeld())
         noteStamp();
+    const bool isLogUseless = m_database.isOpen() && turn.isHeld() && hasUselessLog();
     if (m_database.isOpen() && !mayRemoveLog(turn))
         sqlite3_db_config(handle(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
     m_database.close();
-    if (m_isOverwritten && turn.isHeld())
-        discardLog();
+    if (isLogUseless)
+        removeLog();
     m_database = QSqlDatabase();
     QSqlDatabase::removeDatabase(m_name);
 }
@@ -235,14 +236,23 @@ bool ProjectConnection::isOverwritten() const
     return m_isOverwritten;
 }
 
-/// It belongs to what the file held before: whoever opens the file next would write it into that.
-void ProjectConnection::discardLog() const noexcept
+/// That of a file that was written over, for whoever opens it next would write the log into what it holds now; and the empty one of a file
+/// that is gone.
+bool ProjectConnection::hasUselessLog() const noexcept
+{
+    try {
+        return m_isOverwritten ? hasLog(m_file) : !isInPlace() && !files::exists(m_file) && !hasLog(m_file);
+    } catch (const std::bad_alloc &) {
+        return false;
+    }
+}
+
+void ProjectConnection::removeLog() const noexcept
 {
     try {
         std::error_code problem;
-        if (hasLog(m_file))
-            for (const char *suffix : {logSuffix, logIndexSuffix})
-                files::remove(besideFile(files::realPath(m_file), suffix), problem);
+        for (const char *suffix : {logSuffix, logIndexSuffix})
+            files::remove(besideFile(files::realPath(m_file), suffix), problem);
     } catch (const std::bad_alloc &) { // it stays
     }
 }

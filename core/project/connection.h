@@ -54,6 +54,8 @@ struct ProjectConnection
     WriteTurn &writeTurn() const { return *m_turn; }
     /// The turn, or that another program keeps it.
     Result<HeldTurn> takeTurn(std::chrono::milliseconds patience = WriteTurn::usualPatience) const;
+    /// From now on changes are also stored where the file is no longer in its place: by who rescues it then. Else they are refused.
+    void keepWritingWhenLost() { m_keepsWritingWhenLost = true; }
     /// Whether the file is still where it was opened: it was not deleted, renamed or replaced. Looks at its path alone.
     bool isInPlace() const;
     /// Begins to look whether something else writes to the file; of a connection that reads and writes, in WAL mode.
@@ -85,7 +87,8 @@ private:
     Result<void> configure();
     bool mayRemoveLog(const HeldTurn &turn) const noexcept;
     void noteStamp() const;
-    void discardLog() const noexcept;
+    bool hasUselessLog() const noexcept;
+    void removeLog() const noexcept;
     void countChanges() const;
 
     std::filesystem::path m_file;
@@ -99,6 +102,7 @@ private:
     struct stat m_opened{}; ///< what the system knew of the file when it was opened
     mutable std::optional<FileStamp> m_stamp; ///< at the last look
     mutable bool m_isOverwritten = false;
+    bool m_keepsWritingWhenLost = false;
     mutable std::int64_t m_countedRows = 0; ///< that were changed, as far as they are counted as changes
 };
 
@@ -157,7 +161,7 @@ public:
     Result<void> commit();
 
 private:
-    Result<void> checkNotOverwritten() const;
+    Result<void> checkPlace() const;
     void rollBack();
 
     ProjectConnection &m_connection;

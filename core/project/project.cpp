@@ -301,6 +301,11 @@ bool Project::isInPlace() const
     return m_impl->connection->isInPlace();
 }
 
+void Project::keepWritingWhenLost()
+{
+    m_impl->connection->keepWritingWhenLost();
+}
+
 bool Project::isOverwritten() const
 {
     return m_impl->connection->isOverwritten();

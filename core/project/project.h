@@ -102,8 +102,10 @@ public:
     /// What was ever changed and when, the newest first.
     Result<std::vector<ChangeEntry>> changes() const;
     /// Whether the file is still where it was opened. One that was deleted, renamed or replaced since can be read here as long
-    /// as it is open, and saveCopy rescues it; what is written to it is lost to whoever opens that path.
+    /// as it is open, and saveCopy rescues it; changes are refused, for they would be lost to whoever opens that path.
     bool isInPlace() const;
+    /// From now on such changes are made: by who rescues the project then.
+    void keepWritingWhenLost();
     /// Whether another file was copied over this one, or anything else wrote to it past SQLite, since it was opened for writing. What it
     /// held is gone, and nothing more is written to it here: open it again. False while somebody writes to it as this program does.
     bool isOverwritten() const;

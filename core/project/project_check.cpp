@@ -121,7 +121,7 @@ void addRegistrationFiles(Project &project, const CameraRecord &camera, std::vec
 }
 
 /// Of trials that are complete; tells of the others.
-void addRecordingFiles(Project &project, std::vector<KeptFile> &files, Problems &problems)
+void addRecordingFiles(Project &project, std::vector<KeptFile> &kept, Problems &problems)
 {
     const auto trials = project.trials().names();
     const auto recordings = project.trials().allRecordings();
@@ -140,8 +140,12 @@ void addRecordingFiles(Project &project, std::vector<KeptFile> &files, Problems 
                                 "open the project to write, which completes it: odograph record P.odo --recover"});
     }
     for (const RecordingRecord &recording : *recordings) {
-        if (!unfinished.contains(recording.trial))
-            files.push_back({project.resolve(recording), "the recording of view '" + recording.cameraName + "'", recording.sha256, recording.bytes,
+        const std::filesystem::path file = project.resolve(recording);
+        if (unfinished.contains(recording.trial) && !files::exists(file))
+            problems.push_back({"the recording of view '" + recording.cameraName + "' is missing", file.string(),
+                                "put the file back in its place, and open the project again"});
+        else if (!unfinished.contains(recording.trial))
+            kept.push_back({file, "the recording of view '" + recording.cameraName + "'", recording.sha256, recording.bytes,
                              "put the file back in its place, or find it by its content with odograph check P.odo --find FOLDER or Find lost videos… in "
                              "the window; the measured track is kept without it"});
     }
@@ -191,7 +195,7 @@ Result<std::vector<ProjectProblem>> checkProject(Project &project, ProjectConnec
         problems.push_back({checked.error().what + ": " + checked.error().why, file, restoreBackup});
     if (auto checked = checkFiles(files, withHashes, partOf(control, 0.4, 1), problems); !checked)
         return tl::unexpected(checked.error());
-    addStrayMedia(project, problems);
+    addStrayMedia(project, problems, control);
     // What was interrupted looks like damage.
     if (control.isCancelled())
         return cancelled("check of the project");

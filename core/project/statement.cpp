@@ -191,15 +191,19 @@ RecordId Statement::insertedId() const
     return m_query.lastInsertId().toLongLong();
 }
 
-/// In the turn.
-Result<void> Transaction::checkNotOverwritten() const
+/// In the turn, of the outermost: whether what is stored gets to where the project was opened.
+Result<void> Transaction::checkPlace() const
 {
     if (m_depth > 0)
         return {};
     m_connection.noteStamp();
-    if (!m_connection.m_isOverwritten)
-        return {};
-    return fail(ErrorCode::Unavailable, m_connection.displayName(), "another program wrote over its file while it was open; nothing more was stored", "open it again; if you were recording, look for stray files (odograph check --adopt)");
+    if (m_connection.m_isOverwritten)
+        return fail(ErrorCode::Unavailable, m_connection.displayName(), "another program wrote over its file while it was open; nothing more was stored",
+                    "open it again; if you were recording, look for stray files (odograph check --adopt)");
+    if (!m_connection.m_keepsWritingWhenLost && !m_connection.isInPlace())
+        return fail(ErrorCode::Unavailable, m_connection.displayName(), "its file was deleted, renamed or replaced while it was open; nothing was stored",
+                    "put it back in its place and try again");
+    return {};
 }
 
 Result<void> Transaction::begin()
@@ -214,8 +218,8 @@ Result<void> Transaction::begin()
     if (!turn)
         return tl::unexpected(turn.error());
     m_turn = std::move(*turn);
-    if (auto done = checkNotOverwritten(); !done)
-        return done;
+    if (auto inPlace = checkPlace(); !inPlace)
+        return inPlace;
     const QString sql =
         m_depth == 0 ? QStringLiteral("BEGIN IMMEDIATE") : QStringLiteral("SAVEPOINT step%1").arg(m_depth);
     if (auto begun = m_connection.execute(sql); !begun) {
@@ -229,6 +233,10 @@ Result<void> Transaction::begin()
 
 Result<void> Transaction::commit()
 {
+    if (auto inPlace = checkPlace(); !inPlace) {
+        rollBack();
+        return inPlace;
+    }
     const QString sql =
         m_depth == 0 ? QStringLiteral("COMMIT") : QStringLiteral("RELEASE step%1").arg(m_depth);
     if (auto done = m_connection.execute(sql); !done) {

@@ -2,6 +2,7 @@
 #include "core/project/stray_media.h"
 
 #include "core/base/file_system.h"
+#include "core/files/file_kind.h"
 #include "core/project/file_header.h"
 #include "core/project/held_file.h"
 #include "core/project/recording_lock.h"
@@ -9,9 +10,14 @@
 #include "core/project/repositories.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <fstream>
+#include <iterator>
+#include <optional>
 #include <set>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -54,6 +60,12 @@ Result<void> addAllOf(Project &project, ReferredFiles &files)
     return {};
 }
 
+/// No link, device or pipe, which may do anything when it is opened.
+bool isOrdinary(const std::filesystem::path &file)
+{
+    return files::kindOfItself(file) == files::Kind::File;
+}
+
 /// The other projects in the folder of one.
 std::vector<std::filesystem::path> projectsBeside(const std::filesystem::path &project)
 {
@@ -61,16 +73,11 @@ std::vector<std::filesystem::path> projectsBeside(const std::filesystem::path &p
     std::vector<std::filesystem::path> others;
     std::error_code ignored; // it was just read from
     for (const std::string &name : files::namesIn(folder, ignored)) {
-        if (std::filesystem::path(name).extension() == ".odo" && isProjectFile(folder / name) && !files::isSame(folder / name, project))
-            others.push_back(folder / name);
+        const std::filesystem::path other = folder / name; // whatever its ending is
+        if (isOrdinary(other) && isProjectFile(other) && !files::isSame(other, project))
+            others.push_back(other);
     }
     return others;
-}
-
-/// No link, device or pipe, which may do anything when it is opened.
-bool isOrdinary(const std::filesystem::path &file)
-{
-    return files::kindOfItself(file) == files::Kind::File;
 }
 
 /// All that is in the folder and below, links as such.
@@ -94,14 +101,16 @@ void ReferredFiles::add(const std::filesystem::path &project, const std::string 
 {
     if (path.empty())
         return;
-    if (const auto identity = identityOf(absolutePath(project, path)))
+    const std::filesystem::path file = absolutePath(project, path);
+    m_paths.insert(file);
+    if (const auto identity = identityOf(file))
         m_files.insert(*identity);
 }
 
 bool ReferredFiles::contains(const std::filesystem::path &file) const
 {
     const auto identity = identityOf(file);
-    return identity && m_files.contains(*identity);
+    return m_paths.contains(file) || (identity && m_files.contains(*identity));
 }
 
 Result<ReferredFiles> filesUsedBeside(const std::filesystem::path &project)
@@ -118,44 +127,162 @@ Result<ReferredFiles> filesUsedBeside(const std::filesystem::path &project)
     return files;
 }
 
-Result<std::vector<std::filesystem::path>> strayMedia(Project &project)
+namespace {
+
+/// A recording whose file is not where the project looks for it.
+struct MissingRecording
+{
+    std::string fileName, sha256; ///< no hash: it was cut off
+    std::int64_t bytes = 0;
+};
+
+Result<std::vector<MissingRecording>> missingRecordings(Project &project)
+{
+    const auto recordings = project.trials().allRecordings();
+    if (!recordings)
+        return tl::unexpected(recordings.error());
+    std::vector<MissingRecording> missing;
+    for (const RecordingRecord &recording : *recordings) {
+        const std::filesystem::path file = project.resolve(recording);
+        if (!files::exists(file))
+            missing.push_back({file.filename().string(), recording.sha256, recording.bytes});
+    }
+    return missing;
+}
+
+/// By size and content; of one that was cut off nothing but its name is known.
+Result<bool> isOneOf(const std::vector<MissingRecording> &missing, const std::filesystem::path &file, const JobControl &control)
+{
+    std::error_code unknown;
+    const auto bytes = static_cast<std::int64_t>(files::sizeOf(file, unknown));
+    std::optional<std::string> hash;
+    for (const MissingRecording &recording : missing) {
+        if (recording.sha256.empty() && recording.fileName == file.filename())
+            return true;
+        if (unknown || recording.sha256.empty() || recording.bytes != bytes)
+            continue;
+        if (!hash) {
+            auto made = fileSha256(file, control);
+            if (!made && made.error().code == ErrorCode::Cancelled)
+                return tl::unexpected(made.error());
+            hash = made.value_or(std::string());
+        }
+        if (*hash == recording.sha256)
+            return true;
+    }
+    return false;
+}
+
+/// Whether a file is a project's own: what is called like it and more (its log, lock, backups), or lies in its media folder.
+bool belongsTo(const std::filesystem::path &project, const std::filesystem::path &file)
+{
+    const std::filesystem::path media = mediaFolderOf(project);
+    return file.string().starts_with(project.string()) || file.string().starts_with(media.string() + '/');
+}
+
+/// What neither the program nor a camera makes, by its name and its content.
+bool isForeign(const std::filesystem::path &file)
+{
+    constexpr std::array mediaEndings{".mkv", ".mp4", ".mov", ".m4v", ".avi", ".webm", ".mjpeg", ".mpg", ".ts", ".m2ts", ".mts", ".3gp", ".wmv",
+                                      ".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".part"};
+    std::string ending = file.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    if (std::ranges::find(mediaEndings, ending) != mediaEndings.end())
+        return false;
+    if (!isOrdinary(file))
+        return true;
+    std::ifstream stream(file, std::ios::binary);
+    std::string start(kindBytes, '\0');
+    stream.read(start.data(), static_cast<std::streamsize>(start.size()));
+    start.resize(static_cast<std::size_t>(stream.gcount()));
+    switch (kindOf(start)) {
+    case FileKind::Empty:
+    case FileKind::Png:
+    case FileKind::Jpeg:
+    case FileKind::Mp4:
+    case FileKind::Matroska:
+    case FileKind::Other:
+        return false;
+    default:
+        return true;
+    }
+}
+
+/// The files that may be stray as far as this project knows.
+Result<std::vector<std::filesystem::path>> unusedFiles(Project &project)
 {
     const std::filesystem::path media = project.mediaFolder();
     std::vector<std::filesystem::path> files;
+    if (files::kindOfItself(mediaFolderOf(project.file())) == files::Kind::Link)
+        return files;
     std::error_code problem;
     addAllBelow(media, files, problem);
     if (problem && problem != std::errc::no_such_file_or_directory)
         return fail(ErrorCode::Io, "look in '" + media.string() + "'", problem.message(), "check that the folder is there and may be read");
     // Who adds a trial holds its files until it is in the project: looked at in this order, none of them is taken for a stray one.
     std::erase_if(files, [&](const std::filesystem::path &file) {
-        return file == RecordingLock::fileIn(media) || (isOrdinary(file) && HeldFile::isHeld(file));
+        return file.filename() == RecordingLock::fileIn(media).filename() || (isOrdinary(file) && HeldFile::isHeld(file));
     });
-    if (files.empty())
-        return files;
     ReferredFiles own;
     if (auto added = addAllOf(project, own); !added)
         return tl::unexpected(added.error());
     std::erase_if(files, [&](const std::filesystem::path &file) { return own.contains(file); });
-    if (files.empty())
-        return files;
-    const auto beside = filesUsedBeside(project.file());
-    if (!beside)
-        return tl::unexpected(beside.error());
-    std::erase_if(files, [&](const std::filesystem::path &file) { return beside->contains(file); });
     return files;
 }
 
-void addStrayMedia(Project &project, std::vector<ProjectProblem> &problems)
+} // namespace
+
+Result<StrayMedia> strayMedia(Project &project, const JobControl &control)
 {
-    const auto files = strayMedia(project);
-    if (!files) {
-        problems.push_back({"it cannot be told which files belong to no trial: " + files.error().why, files.error().what, files.error().advice});
+    StrayMedia stray;
+    auto files = unusedFiles(project);
+    if (!files || files->empty())
+        return files.map([&](const auto &) { return stray; });
+    const auto beside = filesUsedBeside(project.file());
+    if (!beside)
+        return tl::unexpected(beside.error());
+    std::erase_if(*files, [&](const std::filesystem::path &file) { return beside->contains(file); });
+    std::ranges::copy_if(*files, std::back_inserter(stray.projects), [](const std::filesystem::path &file) { return isOrdinary(file) && isProjectFile(file); });
+    std::erase_if(*files, [&](const std::filesystem::path &file) {
+        return std::ranges::any_of(stray.projects, [&](const std::filesystem::path &other) { return belongsTo(other, file); });
+    });
+    const auto missing = missingRecordings(project);
+    if (!missing)
+        return tl::unexpected(missing.error());
+    for (const std::filesystem::path &file : *files) {
+        const auto isLost = isOrdinary(file) ? isOneOf(*missing, file, control) : Result<bool>(false);
+        if (!isLost)
+            return tl::unexpected(isLost.error());
+        if (*isLost) {
+            stray.lost.push_back(file);
+            continue;
+        }
+        stray.files.push_back(file);
+        if (isForeign(file))
+            stray.foreign.push_back(file);
+    }
+    return stray;
+}
+
+void addStrayMedia(Project &project, std::vector<ProjectProblem> &problems, const JobControl &control)
+{
+    const auto stray = strayMedia(project, control);
+    if (!stray) {
+        problems.push_back({"it cannot be told which files belong to no trial: " + stray.error().why, stray.error().what, stray.error().advice});
         return;
     }
-    for (const std::filesystem::path &file : *files)
+    for (const std::filesystem::path &file : stray->files) {
+        const bool isForeign = std::ranges::find(stray->foreign, file) != stray->foreign.end();
         problems.push_back({"no trial, lens calibration or floor registration uses this file", file.string(),
-                            "make a trial of it with odograph check P.odo --adopt, or remove it with --remove-strays; the window offers "
-                            "both under Find stray files…"});
+                            isForeign ? "move it to another folder"
+                                      : "make a trial of it with odograph check P.odo --adopt, or remove it with --remove-strays; the window offers "
+                                        "both under Find stray files…"});
+    }
+    for (const std::filesystem::path &file : stray->lost)
+        problems.push_back({"this is a missing recording", file.string(), "take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the window, "
+                                                                          "or put it back in its place"});
+    for (const std::filesystem::path &file : stray->projects)
+        problems.push_back({"a project lies in the media folder of another one", file.string(), "move it with its videos to a folder of its own"});
 }
 
 Result<bool> removeStray(Project &project, const std::filesystem::path &file)

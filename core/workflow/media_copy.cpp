@@ -6,6 +6,7 @@
 #include "core/files/protected_files.h"
 #include "core/exchange/file_name.h"
 #include "core/files/temporary.h"
+#include "core/project/own_media.h"
 #include "core/project/recording_rows.h"
 
 #include <QFile>
@@ -142,7 +143,7 @@ Result<MediaCopy> copyIntoMedia(const std::filesystem::path &source, const std::
     std::error_code problem;
     const std::filesystem::path original = files::absolute(source);
     const std::string what = "copy of '" + source.string() + "'";
-    const bool isThere = files::isSame(original.parent_path(), mediaFolder);
+    const bool isThere = files::isSame(original.parent_path(), mediaFolder) || isOwnMedia(original, mediaFolder);
     auto copy = isThere ? held(original, what, control) : copied(original, mediaFolder, name, what, control);
     if (copy)
         copy->bytes = static_cast<std::int64_t>(files::sizeOf(copy->file.path(), problem));

@@ -180,7 +180,7 @@ Result<void> rescueIfLost(const Project &project, LiveTrial &live)
     const auto rescued = rescueProject(project);
     if (!rescued)
         return tl::unexpected(rescued.error());
-    live.addWarning("the project's file was deleted, renamed or replaced meanwhile; what was in it is rescued in '" + rescued->string() + "'");
+    live.addWarning("the project's file was deleted, renamed or replaced meanwhile; what was in it is rescued in '" + rescued->string() + "', which is the project from now on");
     return {};
 }
 
@@ -191,12 +191,14 @@ Result<void> keepRecording(Project &project, LiveTrial &live, const CaptureSessi
     const auto hasEnded = [](const ViewHealth &view) { return view.state == ViewHealth::State::Ended; };
     const auto begun = Clock::now();
     auto appended = begun;
+    bool wasInPlace = true;
     for (;;) {
         std::this_thread::sleep_for(lookEach);
         const auto now = Clock::now();
         const double passedS = std::chrono::duration<double>(now - begun).count();
-        control.report(std::min(1.0, passedS / settings.seconds),
-                       project.isInPlace() ? "recording" : "recording; the project's file is gone, what is in it will be rescued");
+        control.report(std::min(1.0, passedS / settings.seconds), "recording");
+        if (std::exchange(wasInPlace, project.isInPlace()) && !wasInPlace && settings.warn)
+            settings.warn("the project's file was deleted, renamed or replaced; recording goes on, and what is in it is rescued at the end");
         const CaptureHealth health = session.health();
         if (passedS >= settings.seconds || control.isCancelled() || health.disk.ended ||
             std::ranges::any_of(health.views, hasEnded))
@@ -237,6 +239,7 @@ Result<std::shared_ptr<LiveTrial>> recordTrial(Project &project, const RecordSet
     std::vector<std::string> names;
     for (const auto &[name, address] : settings.cameras)
         names.push_back(name);
+    project.keepWritingWhenLost(); // it is rescued at the end
     auto live = LiveTrial::begin(project, std::move(*trial), names, session, preRoll);
     if (!live)
         return live;

@@ -4,6 +4,7 @@
 #include "core/workflow/live_broadcast.h"
 #include "core/workflow/live_trial.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,6 +21,7 @@ struct RecordSettings
     double seconds = 10; ///< from when all cameras deliver
     double preRollS = 0; ///< so long before, the cameras run already, and that is recorded too
     std::vector<std::string> robots;
+    std::function<void(const std::string &)> warn = {}; ///< of what should be known while it still records; on the calling thread
     std::optional<BroadcastTarget> broadcast = {}; ///< to where the robots' live positions are sent; empty: they are not looked for
 };
 

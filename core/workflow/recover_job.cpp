@@ -57,10 +57,12 @@ Result<void> RecoverJob::prepare(Project &project)
         return tl::unexpected(trials.error());
     if (std::ranges::none_of(*trials, &TrialRecord::unfinished))
         return {};
-    auto lock = RecordingLock::take(project.mediaFolder());
-    if (!lock)
-        return lock.error().code == ErrorCode::AlreadyExists ? Result<void>() : tl::unexpected(lock.error());
-    m_lock = std::move(*lock);
+    if (files::isFolder(project.mediaFolder())) { // else it was moved away: an empty one in its place would be in the way
+        auto lock = RecordingLock::take(project.mediaFolder());
+        if (!lock)
+            return lock.error().code == ErrorCode::AlreadyExists ? Result<void>() : tl::unexpected(lock.error());
+        m_lock = std::move(*lock);
+    }
     m_mediaFolder = project.mediaFolder();
     for (const TrialRecord &trial : *trials) {
         if (!trial.unfinished)
@@ -97,7 +99,7 @@ Result<void> RecoverJob::recover(Unfinished &unfinished, const CancelToken &canc
 {
     std::vector<EndedView> ended;
     for (View &view : unfinished.views) {
-        if (!view.times.pictures.empty() && !files::exists(view.file)) {
+        if (!files::exists(view.file) && (!view.times.pictures.empty() || !m_lock)) {
             unfinished.missing = view.file.string();
             return {};
         }

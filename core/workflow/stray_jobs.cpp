@@ -7,6 +7,7 @@
 #include "core/project/stray_media.h"
 #include "core/video/video_input.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -58,10 +59,13 @@ Result<void> FindStraysJob::run(const JobControl &control)
     const auto project = Project::openAgain(m_project, Project::Access::ReadOnly);
     if (!project)
         return tl::unexpected(project.error());
-    auto strays = strayMedia(**project);
-    if (!strays)
-        return tl::unexpected(strays.error());
-    m_strays = std::move(*strays);
+    auto found = strayMedia(**project, control);
+    if (!found)
+        return tl::unexpected(found.error());
+    m_strays = std::move(found->files);
+    std::erase_if(m_strays, [&](const std::filesystem::path &file) { return std::ranges::find(found->foreign, file) != found->foreign.end(); });
+    for (const auto *some : {&found->foreign, &found->lost, &found->projects})
+        m_others.insert(m_others.end(), some->begin(), some->end());
     for (const std::filesystem::path &file : m_strays) {
         if (control.isCancelled())
             return cancelled("look for stray files");

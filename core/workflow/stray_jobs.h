@@ -18,12 +18,13 @@ public:
     Result<void> run(const JobControl &control) override;
     Result<void> commit(Project &) override { return {}; }
 
-    const std::vector<std::filesystem::path> &strays() const { return m_strays; } ///< after run: all of them
+    const std::vector<std::filesystem::path> &strays() const { return m_strays; } ///< after run: those that RemoveStraysJob takes
+    const std::vector<std::filesystem::path> &others() const { return m_others; } ///< after run: what stays in any case (StrayMedia)
     const std::vector<std::filesystem::path> &videos() const { return m_videos; } ///< after run: those that AdoptStraysJob takes
 
 private:
     std::filesystem::path m_project;
-    std::vector<std::filesystem::path> m_strays, m_videos;
+    std::vector<std::filesystem::path> m_strays, m_others, m_videos;
 };
 
 /// Makes trials "recovered: NAME" of stray videos, which stay where they are. Videos whose names differ only in the camera, as recordings and imports

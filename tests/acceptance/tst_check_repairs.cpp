@@ -26,19 +26,22 @@ private Q_SLOTS:
     void strayFilesAreNamedAdoptedAndRemoved()
     {
         QVERIFY(QFile::copy(path("clip.mkv"), path("class.media/lap_A.mkv")));
-        write("class.media/notes.txt", "no video");
+        write("class.media/broken_A.mkv", "no video");
+        write("class.media/notes.txt", "a teacher's");
         const ProgramRun named = run("check %P");
         QCOMPARE(named.exitStatus, 1);
         QVERIFY2(named.out.contains("lap_A.mkv: no trial, lens calibration or floor registration uses this file; "), named.out);
-        QVERIFY2(named.err.contains("2 problems found"), named.err);
+        QVERIFY2(named.err.contains("3 problems found"), named.err);
         const ProgramRun adopted = run("check %P --adopt --json");
-        QCOMPARE(adopted.exitStatus, 1); // the other one is still there
+        QCOMPARE(adopted.exitStatus, 1); // the others are still there
         QCOMPARE(adopted.json().value(QStringLiteral("adopted")).toArray(), QJsonArray{QStringLiteral("recovered: lap")});
-        QCOMPARE(adopted.json().value(QStringLiteral("problems")).toArray().size(), 1);
-        const ProgramRun removed = good("check %P --remove-strays");
-        QCOMPARE(removed.exitStatus, 0);
-        QVERIFY2(removed.out.contains("notes.txt removed\nAll is well."), removed.out);
-        QVERIFY(!QFile::exists(path("class.media/notes.txt")));
+        QCOMPARE(adopted.json().value(QStringLiteral("problems")).toArray().size(), 2);
+        const ProgramRun removed = run("check %P --remove-strays");
+        QVERIFY2(removed.out.contains("broken_A.mkv removed\n") && removed.out.contains("notes.txt stays\n"), removed.out);
+        QVERIFY(!QFile::exists(path("class.media/broken_A.mkv")));
+        QCOMPARE(removed.exitStatus, 1);
+        QVERIFY(QFile::remove(path("class.media/notes.txt")));
+        QCOMPARE(good("check %P").out, QByteArray("All is well.\n"));
         QVERIFY(QFile::exists(path("class.media/lap_A.mkv")) && QFile::exists(path("class.media/run_A.mkv")));
     }
 

@@ -150,6 +150,11 @@ private Q_SLOTS:
         QVERIFY(m_project->isInPlace());
         take();
         QVERIFY(!m_project->isInPlace());
+        const auto refused = m_project->setTitle("nowhere");
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().message(), std::string("project 'lesson.odo': its file was deleted, renamed or replaced while it was open; nothing was stored; "
+                                                        "put it back in its place and try again"));
+        m_project->keepWritingWhenLost();
         QVERIFY(m_project->setTitle("afterwards"));
         const auto rescued = rescueProject(*m_project);
         QVERIFY2(rescued, rescued ? "" : rescued.error().message().c_str());

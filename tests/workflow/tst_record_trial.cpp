@@ -44,20 +44,20 @@ private Q_SLOTS:
     /// The file is removed as soon as the first words say that it records.
     void whatIsRecordedIntoAFileThatIsTakenAwayIsRescued()
     {
-        const RecordSettings settings{.trial = "run", .cameras = {{"A", "sim:A"}}, .seconds = 1, .robots = {}};
         const std::filesystem::path file = m_project->file();
         QStringList told;
+        const RecordSettings settings{.trial = "run", .cameras = {{"A", "sim:A"}}, .seconds = 1, .robots = {},
+                                      .warn = [&](const std::string &words) { told << QString::fromStdString(words); }};
         JobControl control;
         control.progress = [&](double, const std::string &text) {
             if (text == "recording")
                 std::filesystem::remove(file);
-            told << QString::fromStdString(text);
         };
         const auto recorded = recordTrial(*m_project, settings, control);
         QVERIFY2(recorded, recorded ? "" : recorded.error().message().c_str());
-        QVERIFY(told.contains(QStringLiteral("recording; the project's file is gone, what is in it will be rescued")));
+        QCOMPARE(told, QStringList(QStringLiteral("the project's file was deleted, renamed or replaced; recording goes on, and what is in it is rescued at the end")));
         const std::filesystem::path rescued = file.parent_path() / "p (rescued).odo";
-        QCOMPARE((*recorded)->warnings().back(), "the project's file was deleted, renamed or replaced meanwhile; what was in it is rescued in '" + rescued.string() + "'");
+        QCOMPARE((*recorded)->warnings().back(), "the project's file was deleted, renamed or replaced meanwhile; what was in it is rescued in '" + rescued.string() + "', which is the project from now on");
         const auto project = Project::open(rescued, Project::Access::ReadOnly);
         QVERIFY(project);
         const auto trial = (*project)->trials().find("run");

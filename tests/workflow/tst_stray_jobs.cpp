@@ -33,14 +33,14 @@ private Q_SLOTS:
 
     void whatBelongsToTheProjectIsNoStray()
     {
-        QVERIFY(strayMedia(*m_project)->empty()); // without a media folder
+        QVERIFY(strays()->empty()); // without a media folder
         import("run", "A");
         CalibrationMedia media(m_project->mediaFolder());
         RegistrationRecord registration;
         registration.picture = *media.write("A_floor", {1, 2, 3});
         QVERIFY(m_project->check(false)->empty()); // whoever made it holds it still
         media.keep();
-        QCOMPARE(strayMedia(*m_project)->size(), std::size_t(1)); // nothing refers to it yet
+        QCOMPARE(strays()->size(), std::size_t(1)); // nothing refers to it yet
         std::ofstream(path("p.media/recording.lock"));
         const auto problems = m_project->check(false).value();
         QCOMPARE(problems.size(), std::size_t(1));
@@ -57,13 +57,83 @@ private Q_SLOTS:
         const RecordId trial = m_project->trials().find("run")->id;
         QVERIFY(m_project->trials().setBinned(trial, true));
         QVERIFY(m_project->trials().removeForGood(trial));
-        QVERIFY(strayMedia(*m_project)->empty());
+        QVERIFY(strays()->empty());
         std::filesystem::resize_file(path("copy.odo"), 8192);
-        const auto strays = strayMedia(*m_project); // nobody can tell
-        QVERIFY(!strays);
-        QVERIFY2(strays.error().why.starts_with("project 'copy.odo' beside it may use them, and cannot be read"), strays.error().why.c_str());
+        const auto unknown = strays(); // nobody can tell
+        QVERIFY(!unknown);
+        QVERIFY2(unknown.error().why.starts_with("project 'copy.odo' beside it may use them, and cannot be read"), unknown.error().why.c_str());
         std::ofstream(path("copy.odo"), std::ios::binary | std::ios::trunc) << "no project";
-        QCOMPARE(strayMedia(*m_project)->size(), std::size_t(1));
+        QCOMPARE(strays()->size(), std::size_t(1));
+    }
+
+    /// It need not be called .odo.
+    void noProjectIsKnownByItsEnding()
+    {
+        import("run", "A");
+        m_project.reset();
+        std::filesystem::rename(path("p.odo"), path("p.ODO"));
+        m_project = std::move(*Project::create(path("p.odo"), "another"));
+        QVERIFY(strays()->empty());
+    }
+
+    void aMissingRecordingIsNoStrayFile()
+    {
+        import("run", "A");
+        import("lap", "A");
+        std::filesystem::create_directory(path("p.media/old"));
+        std::filesystem::rename(path("p.media/run_A.mkv"), path("p.media/old/elsewhere.mkv"));
+        QVERIFY(strays()->empty());
+        QVERIFY(find()->strays().empty());
+        QCOMPARE(find()->others(), std::vector<std::filesystem::path>{path("p.media/old/elsewhere.mkv")});
+        const auto problems = m_project->check(false).value();
+        QVERIFY(std::ranges::any_of(problems, [](const ProjectProblem &problem) { return problem.what == "this is a missing recording" && problem.advice.find("--find") != std::string::npos; }));
+    }
+
+    /// On a disk that is not there.
+    void aLinkOfATrialIsNoStrayFile()
+    {
+        import("run", "A");
+        std::filesystem::rename(path("p.media/run_A.mkv"), path("disk.mkv"));
+        std::filesystem::create_symlink(path("disk.mkv"), path("p.media/run_A.mkv"));
+        std::filesystem::rename(path("disk.mkv"), path("unplugged"));
+        QVERIFY(strays()->empty());
+    }
+
+    void whatLiesInALinkedFolderIsNobodysStrayFile()
+    {
+        import("run", "A");
+        m_project.reset();
+        std::filesystem::create_directory(path("other"));
+        std::filesystem::create_directory_symlink("../p.media", path("other/q.media"));
+        m_project = std::move(*Project::create(path("other/q.odo"), "another"));
+        QVERIFY(strays()->empty());
+    }
+
+    void aProjectInTheFolderIsNamedAndStays()
+    {
+        import("run", "A");
+        {
+            const auto inner = Project::create(path("inner.odo"), "inner");
+            QVERIFY(inner);
+        }
+        std::filesystem::rename(path("inner.odo"), path("p.media/inner.odo"));
+        std::filesystem::create_directory(path("p.media/inner.media"));
+        copyHere("inner.media/x_A.mkv");
+        QVERIFY(strays()->empty());
+        const auto problems = m_project->check(false).value();
+        QCOMPARE(problems.size(), std::size_t(1));
+        QCOMPARE(problems[0].what, std::string("a project lies in the media folder of another one"));
+    }
+
+    /// Where it lies, once.
+    void aVideoInAFolderBelowBecomesATrial()
+    {
+        std::filesystem::create_directories(path("p.media/sub"));
+        copyHere("sub/lap_A.mkv");
+        AdoptStraysJob adopt(find()->videos());
+        QVERIFY(runToEnd(adopt, *m_project, {}));
+        QCOMPARE(m_project->trials().recordings(m_project->trials().find("recovered: lap")->id)->front().path, std::string("p.media/sub/lap_A.mkv"));
+        QVERIFY(find()->videos().empty());
     }
 
     void videosBecomeTrials()
@@ -76,8 +146,9 @@ private Q_SLOTS:
         std::ofstream(path("p.media/notes.txt")) << "no video";
         std::filesystem::create_symlink(video(), path("p.media/link.mkv"));
         const auto found = find();
-        QCOMPARE(found->strays().size(), std::size_t(7));
-        QCOMPARE(found->videos().size(), std::size_t(4));
+        QCOMPARE(found->strays().size(), std::size_t(6));
+        QCOMPARE(found->others(), std::vector<std::filesystem::path>{path("p.media/notes.txt")});
+        QCOMPARE(found->videos().size(), std::size_t(4)); // a link leads to what is somebody else's
         AdoptStraysJob adopt(found->videos());
         const auto done = runToEnd(adopt, *m_project, {});
         QVERIFY2(done, done ? "" : done.error().message().c_str());
@@ -88,7 +159,7 @@ private Q_SLOTS:
         QCOMPARE(views[0].path, std::string("p.media/lap_A.mkv")); // where it was
         QCOMPARE(views[1].cameraName, std::string("B"));
         QCOMPARE(m_project->trials().recordings(m_project->trials().find("recovered: turn")->id)->front().cameraName, std::string("left_1"));
-        QCOMPARE(find()->strays().size(), std::size_t(3));
+        QCOMPARE(find()->strays().size(), std::size_t(2));
         // A name that is taken gets a number.
         copyHere("lap_C.mkv");
         AdoptStraysJob again(find()->videos());
@@ -122,7 +193,7 @@ private Q_SLOTS:
         std::filesystem::create_directories(path("p.media"));
         const auto claimed = ClaimedFile::create(path("p.media"), "run_A", ".mkv"), begun = ClaimedFile::begin(path("p.media"));
         QVERIFY(claimed && begun);
-        QVERIFY(strayMedia(*m_project)->empty());
+        QVERIFY(strays()->empty());
         QVERIFY(!removeStray(*m_project, claimed->path()).value());
         QVERIFY(std::filesystem::exists(claimed->path()));
     }
@@ -153,6 +224,7 @@ private:
         const auto done = runToEnd(job, *m_project, {});
         QVERIFY2(done, done ? "" : done.error().message().c_str());
     }
+    Result<std::vector<std::filesystem::path>> strays() { return strayMedia(*m_project).map(&StrayMedia::files); }
     std::unique_ptr<FindStraysJob> find()
     {
         auto job = std::make_unique<FindStraysJob>();

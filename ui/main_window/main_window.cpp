@@ -200,9 +200,16 @@ void MainWindow::rescueProject()
     }
     if (m_pages)
         m_pages->saveNotes();
+    if (const auto moved = m_workspace->movedTo(); moved && m_workspace->project()->emptyLog()) {
+        if (const auto opened = m_workspace->open(*moved); !opened)
+            tellFailure(opened.error());
+        else
+            m_messages->showWarning(tr("“%1” was renamed with its videos by another program. It is open as “%2” now.").arg(name, projectName()));
+        return;
+    }
     const auto rescued = m_workspace->rescue();
     if (rescued)
-        m_messages->showDone(tr("“%1” was deleted, renamed or replaced by another program. What was in it is rescued in “%2”, which is open now.")
+        m_messages->showWarning(tr("“%1” was deleted, renamed or replaced by another program. What was in it is rescued in “%2”, which is open now.")
                                  .arg(name, QString::fromStdString(rescued->filename().string())));
     else
         tellFailure(rescued.error());
@@ -224,7 +231,7 @@ void MainWindow::reopenProject()
         tellFailure(opened.error());
         return;
     }
-    m_messages->showDone(tr("Another program wrote over “%1” while it was open. What it holds now is shown.").arg(name));
+    m_messages->showWarning(tr("Another program wrote over “%1” while it was open: what it held before is gone. What it holds now is shown.").arg(name));
 }
 
 QString MainWindow::projectName() const

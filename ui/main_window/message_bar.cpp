@@ -64,6 +64,12 @@ void MessageBar::showError(const Error &error)
     present("bad", QStringLiteral("warning"), errorInWords(error));
 }
 
+void MessageBar::showWarning(const QString &text)
+{
+    m_timer->stop();
+    present("bad", QStringLiteral("warning"), text);
+}
+
 void MessageBar::showDone(const QString &text)
 {
     present("good", QStringLiteral("information"), text);

@@ -22,6 +22,8 @@ public:
     /// What was cancelled is no error: it is told as what was done.
     void showError(const Error &error);
     void showDone(const QString &text);
+    /// What somebody should know who was not asked; stays until it is closed.
+    void showWarning(const QString &text);
     /// Puts a button behind what is shown, until it is pressed or another message comes.
     void offer(const QString &words, std::function<void()> act);
     QString text() const;

@@ -186,6 +186,7 @@ void Workspace::adopt(std::unique_ptr<Project> project, std::unique_ptr<WindowLo
     m_runner.reset();
     m_watch.reset();
     m_project = std::move(project);
+    m_project->keepWritingWhenLost(); // it is rescued
     m_lock = std::move(lock);
     m_watch = std::make_unique<ProjectWatch>(*m_project, m_lock ? ProjectWatch::Access::ReadWrite : ProjectWatch::Access::ReadOnly);
     connect(m_watch.get(), &ProjectWatch::changedOutside, this, &Workspace::changed);
@@ -211,6 +212,13 @@ Result<std::filesystem::path> Workspace::rescue()
     if (const Result<void> shown = open(*file); !shown)
         return tl::unexpected(shown.error());
     return file;
+}
+
+std::optional<std::filesystem::path> Workspace::movedTo() const
+{
+    auto place = m_project->presentPlace();
+    const bool isWhole = place && !files::exists(m_project->mediaFolder()) && files::isFolder(std::filesystem::path(*place).replace_extension(".media"));
+    return isWhole ? place : std::nullopt;
 }
 
 Result<void> Workspace::reopen()

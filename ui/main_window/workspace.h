@@ -58,6 +58,8 @@ public:
     /// For a project whose file was deleted, renamed or replaced: copies what is in it to a new file beside it, and opens
     /// that. Gives the new file.
     Result<std::filesystem::path> rescue();
+    /// Where the project's file and its media folder were moved to, as those of that name; nothing where not both of them were.
+    std::optional<std::filesystem::path> movedTo() const;
     /// For a project whose file another program wrote over: closes it and opens what the file holds now. Where that cannot be opened no
     /// project is open afterwards.
     Result<void> reopen();

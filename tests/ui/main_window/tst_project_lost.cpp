@@ -93,6 +93,23 @@ private Q_SLOTS:
         }
     }
 
+    /// It is the same project, whole, under another name.
+    void oneThatWasRenamedWithItsVideosIsFollowed()
+    {
+        QVERIFY(project().teams().add({0, "Kestrel", "9B"}));
+        fs::create_directories(folder() / "example.media");
+        fs::rename(folder() / "example.media", folder() / "new.media");
+        fs::rename(m_project, folder() / "new.odo");
+        QTRY_COMPARE_WITH_TIMEOUT(project().file(), fs::canonical(folder()) / "new.odo", 3000);
+        QCOMPARE(m_window->findChild<MessageBar *>()->text(), QStringLiteral("“example.odo” was renamed with its videos by another program. It is open as “new.odo” now."));
+        QVERIFY(project().teams().find("Kestrel"));
+        QVERIFY(project().teams().add({0, "Merlin", "9B"}));
+        QVERIFY(!fs::exists(folder() / "example (rescued).odo"));
+        m_window.reset();
+        for (const char *left : {"example.odo", "example.odo-wal", "example.odo-shm"})
+            QVERIFY2(!fs::exists(folder() / left), left);
+    }
+
     void whatIsCopiedOverItIsOpened_data()
     {
         QTest::addColumn<bool>("isProject");
@@ -114,7 +131,7 @@ private Q_SLOTS:
             return;
         }
         QTRY_COMPARE_WITH_TIMEOUT(project().title().value(), std::string("another"), 3000);
-        QCOMPARE(messages->text(), QStringLiteral("Another program wrote over “example.odo” while it was open. What it holds now is shown."));
+        QCOMPARE(messages->text(), QStringLiteral("Another program wrote over “example.odo” while it was open: what it held before is gone. What it holds now is shown."));
         QVERIFY(!m_window->workspace().isReadOnly());
         QVERIFY(!project().teams().find("Kestrel"));
         QVERIFY(project().teams().add({0, "Merlin", "9B"}));

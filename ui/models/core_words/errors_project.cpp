@@ -9,6 +9,8 @@ std::span<const CorePattern> errorsProject()
         {QT_TRANSLATE_NOOP("CoreWords", "cancelled")},
         {QT_TRANSLATE_NOOP("CoreWords", "nothing was changed")},
         {QT_TRANSLATE_NOOP("CoreWords", "another program is writing to it")},
+        {QT_TRANSLATE_NOOP("CoreWords", "its file was deleted, renamed or replaced while it was open; nothing was stored")},
+        {QT_TRANSLATE_NOOP("CoreWords", "put it back in its place and try again")},
         {QT_TRANSLATE_NOOP("CoreWords", "another program wrote over its file while it was open; nothing more was stored")},
         {QT_TRANSLATE_NOOP("CoreWords", "open it again; if you were recording, look for stray files (odograph check --adopt)")},
         {QT_TRANSLATE_NOOP("CoreWords", "close the other program and try again")},
