@@ -2,6 +2,7 @@
 #include "app/command_call.h"
 #include "app/commands/check_repairs.h"
 #include "app/commands/commands.h"
+#include "app/counted.h"
 #include "core/project/repositories.h"
 
 #include <QJsonArray>
@@ -48,7 +49,7 @@ Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel)
     call.answer(json, lines.join(u'\n'));
     if (!problems->empty())
         return fail(ErrorCode::InvalidInput, "check of '" + call.text(0) + "'",
-                    std::to_string(problems->size()) + " problems found", "follow the advice given with each");
+                    counted(problems->size(), QStringLiteral("problem")).toStdString() + " found", "follow the advice given with each");
     return {};
 }
 
