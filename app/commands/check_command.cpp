@@ -42,7 +42,7 @@ Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel)
     if (problems->empty())
         lines << QStringLiteral("All is well.");
     if (*unproved > 0)
-        lines << QStringLiteral("Analyses without a digest, made before there were any: %1. Analysing a trial again adds one.").arg(*unproved);
+        lines << QStringLiteral("Analyses without a digest: %1. Each was made by an older Odograph, or its digest was removed. Analysing a trial again adds one.").arg(*unproved);
     json.insert(QStringLiteral("ok"), problems->empty());
     json.insert(QStringLiteral("problems"), list);
     json.insert(QStringLiteral("without_digest"), qint64(*unproved));
