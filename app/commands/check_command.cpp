@@ -9,6 +9,18 @@
 
 namespace odo {
 
+namespace {
+
+/// What was repaired before the check was stopped stays repaired.
+tl::unexpected<Error> stopped(Error error, bool repairs)
+{
+    if (repairs && error.code == ErrorCode::Cancelled)
+        error.advice = "what was repaired until then is kept";
+    return tl::unexpected(std::move(error));
+}
+
+} // namespace
+
 Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel)
 {
     const QString quick = QStringLiteral("quick");
@@ -23,10 +35,10 @@ Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel)
         return tl::unexpected(project.error());
     const auto repaired = repairs ? repairMedia(call, **project) : MediaRepairs();
     if (!repaired)
-        return tl::unexpected(repaired.error());
+        return stopped(repaired.error(), repairs);
     const auto problems = (*project)->check(!call.isSet(quick), call.control());
     if (!problems)
-        return tl::unexpected(problems.error());
+        return stopped(problems.error(), repairs);
     const auto unproved = (*project)->analyses().countWithoutDigest();
     if (!unproved)
         return tl::unexpected(unproved.error());
