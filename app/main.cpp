@@ -108,6 +108,15 @@ Result<void> printed()
                 "what was to be done is done, make room and ask again");
 }
 
+/// Where a command was stopped, what it was doing just then is of no interest, and would be taken for what went wrong.
+Result<void> ofCommand(const char *name, Result<void> failed)
+{
+    const Error stopped = cancelled(name).value();
+    if (failed.error().code == ErrorCode::Cancelled && failed.error().why == stopped.why)
+        failed.error().what = stopped.what;
+    return failed;
+}
+
 int runCommand(const NamedCommand &command, int argc, char **argv)
 {
     qInstallMessageHandler(dropRemarks);
@@ -137,7 +146,7 @@ int runCommand(const NamedCommand &command, int argc, char **argv)
     const Result<void> done = orShortage(command.name, [&] {
         return command.run(QCoreApplication::arguments().mid(2), stopToken());
     });
-    return report(done ? printed() : done);
+    return report(done ? printed() : ofCommand(command.name, done));
 }
 
 int openWorkbench(int argc, char **argv)

@@ -42,6 +42,9 @@ Result<void> paintWorkbench(const std::filesystem::path &project, const std::str
 {
     applyAppearance(*qApp);
     const std::string what = "picture '" + picture.file.string() + "'";
+    const QByteArray format = QFileInfo(QString::fromStdString(picture.file.string())).suffix().toLatin1().toLower();
+    if (!QImageWriter::supportedImageFormats().contains(format))
+        return fail(ErrorCode::WrongCall, what, "its format is not known", "give it a name that ends in .png or .jpg");
     MainWindow window;
     if (auto opened = window.openProject(project); !opened)
         return opened;
@@ -64,10 +67,6 @@ Result<void> paintWorkbench(const std::filesystem::path &project, const std::str
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
-    const QByteArray format = QFileInfo(QString::fromStdString(picture.file.string())).suffix().toLatin1().toLower();
-    if (!QImageWriter::supportedImageFormats().contains(format))
-        return fail(ErrorCode::InvalidInput, what, "its format is not known",
-                    "give it a name that ends in .png or .jpg");
     if (!painted.save(&buffer, format.constData())) // which nothing else keeps it from
         throw std::bad_alloc();
     return writeOutput(picture, {bytes.constData(), static_cast<std::size_t>(bytes.size())});

@@ -17,8 +17,8 @@ namespace odo {
 /// project is told there.
 void runWorkbench(const std::optional<std::filesystem::path> &project);
 
-/// The window as a user would see it with a trial in one of its modes, painted without a display into a picture file. Error Cancelled, beside those of
-/// opening the project and writing the picture.
+/// The window as a user would see it with a trial in one of its modes, painted without a display into a picture file. WrongCall where its name is of
+/// no format, Cancelled, and those of opening the project and writing the picture.
 Result<void> paintWorkbench(const std::filesystem::path &project, const std::string &trial, WindowMode mode,
                             QSize size, const OutputTarget &picture, const CancelToken &cancel);
 

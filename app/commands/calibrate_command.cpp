@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/counted.h"
 #include "app/json_answers.h"
 #include "app/option_names.h"
 #include "core/base/units.h"
@@ -104,10 +105,10 @@ Result<void> runCalibrate(const QStringList &arguments, const CancelToken &cance
     CalibrateJob job(std::move(*settings));
     if (auto done = runToEnd(job, **project, call.control()); !done)
         return done;
-    call.answer(calibrationJson(job), QStringLiteral("%1\nRMS %2 px over %3 pictures; %4 not used.")
+    call.answer(calibrationJson(job), QStringLiteral("%1\nRMS %2 px over %3; %4 not used.")
                                           .arg(QString::fromStdString(job.calibration().verdict))
                                           .arg(job.calibration().rmsPx, 0, 'f', 3)
-                                          .arg(job.calibration().picturesUsed())
+                                          .arg(counted(job.calibration().picturesUsed(), QStringLiteral("picture")))
                                           .arg(job.calibration().rejected.size()));
     return {};
 }

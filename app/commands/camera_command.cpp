@@ -23,7 +23,8 @@ Result<void> runCamera(const QStringList &arguments, const CancelToken &cancel)
                                 [&] { return (*project)->cameras().add({0, call.text(2), call.value(option::device)}); });
     if (!added)
         return tl::unexpected(added.error());
-    call.answer({{QStringLiteral("camera"), call.positional(2)}}, QStringLiteral("Camera %1 added.").arg(call.positional(2)));
+    const QString name = QString::fromStdString(added->name);
+    call.answer({{QStringLiteral("camera"), name}}, QStringLiteral("Camera %1 added.").arg(name));
     return {};
 }
 

@@ -2,11 +2,24 @@
 #include "app/command_call.h"
 #include "app/commands/check_repairs.h"
 #include "app/commands/commands.h"
+#include "app/counted.h"
 #include "core/project/repositories.h"
 
 #include <QJsonArray>
 
 namespace odo {
+
+namespace {
+
+/// What was repaired before the check was stopped stays repaired.
+tl::unexpected<Error> stopped(Error error, bool repairs)
+{
+    if (repairs && error.code == ErrorCode::Cancelled)
+        error.advice = "what was repaired until then is kept";
+    return tl::unexpected(std::move(error));
+}
+
+} // namespace
 
 Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel)
 {
@@ -22,10 +35,10 @@ Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel)
         return tl::unexpected(project.error());
     const auto repaired = repairs ? repairMedia(call, **project) : MediaRepairs();
     if (!repaired)
-        return tl::unexpected(repaired.error());
+        return stopped(repaired.error(), repairs);
     const auto problems = (*project)->check(!call.isSet(quick), call.control());
     if (!problems)
-        return tl::unexpected(problems.error());
+        return stopped(problems.error(), repairs);
     const auto unproved = (*project)->analyses().countWithoutDigest();
     if (!unproved)
         return tl::unexpected(unproved.error());
@@ -41,14 +54,14 @@ Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel)
     if (problems->empty())
         lines << QStringLiteral("All is well.");
     if (*unproved > 0)
-        lines << QStringLiteral("Analyses without a digest, made before there were any: %1. Analysing a trial again adds one.").arg(*unproved);
+        lines << QStringLiteral("Analyses without a digest: %1. Each was made by an older Odograph, or its digest was removed. Analysing a trial again adds one.").arg(*unproved);
     json.insert(QStringLiteral("ok"), problems->empty());
     json.insert(QStringLiteral("problems"), list);
     json.insert(QStringLiteral("without_digest"), qint64(*unproved));
     call.answer(json, lines.join(u'\n'));
     if (!problems->empty())
         return fail(ErrorCode::InvalidInput, "check of '" + call.text(0) + "'",
-                    std::to_string(problems->size()) + " problems found", "follow the advice given with each");
+                    counted(problems->size(), QStringLiteral("problem")).toStdString() + " found", "follow the advice given with each");
     return {};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/counted.h"
 #include "app/json_answers.h"
 #include "app/option_names.h"
 #include "core/workflow/overrule_job.h"
@@ -81,12 +82,12 @@ Result<void> runFlag(const QStringList &arguments, const CancelToken &cancel)
                  {QStringLiteral("spikes"), qint64(profile.spikes.size())},
                  {QStringLiteral("analysis"), qint64(outcome.analysis.id)},
                  {QStringLiteral("metrics"), metricsJson(profile.metrics)}},
-                QStringLiteral("%1, frame %2 at %3 s: %4. A new analysis was made; it has %5 spikes.")
+                QStringLiteral("%1, frame %2 at %3 s: %4. A new analysis was made; it has %5.")
                     .arg(QString::fromStdString(outcome.robot))
                     .arg(outcome.frame)
                     .arg(toSeconds(outcome.time), 0, 'f', 3)
                     .arg(wordsOf(request->word))
-                    .arg(profile.spikes.size()));
+                    .arg(counted(profile.spikes.size(), QStringLiteral("spike"))));
     return {};
 }
 

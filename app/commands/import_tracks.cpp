@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/counted.h"
 #include "app/commands/import_tracks.h"
 
 #include "app/json_answers.h"
@@ -12,9 +13,9 @@ namespace {
 QString robotText(const ImportTracksJob::Imported &one)
 {
     const Profile &profile = one.analysis.profile;
-    const QString figures = QStringLiteral("%1 positions, %2 spikes, path %3 m in %4 s, top speed %5 m/s")
-                                .arg(profile.points.size())
-                                .arg(profile.spikes.size())
+    const QString figures = QStringLiteral("%1, %2, path %3 m in %4 s, top speed %5 m/s")
+                                .arg(counted(profile.points.size(), QStringLiteral("position")))
+                                .arg(counted(profile.spikes.size(), QStringLiteral("spike")))
                                 .arg(metricValue(profile, "path_length"), 0, 'f', 3)
                                 .arg(metricValue(profile, "duration"), 0, 'f', 2)
                                 .arg(metricValue(profile, "max_speed"), 0, 'f', 3);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/counted.h"
 #include "app/json_answers.h"
 #include "app/option_names.h"
 #include "app/output_option.h"
@@ -56,8 +57,9 @@ Result<void> add(CommandCall &call)
     if (!added)
         return tl::unexpected(added.error());
     const int markers = int(layout->markers.size());
-    call.answer({{QStringLiteral("layout"), call.positional(2)}, {QStringLiteral("markers"), markers}},
-                QStringLiteral("Layout %1 has %2 markers.").arg(call.positional(2)).arg(markers));
+    const QString name = QString::fromStdString(added->layout.name);
+    call.answer({{QStringLiteral("layout"), name}, {QStringLiteral("markers"), markers}},
+                QStringLiteral("Layout %1 has %2.").arg(name, counted(markers, QStringLiteral("marker"))));
     return {};
 }
 
@@ -81,10 +83,9 @@ Result<void> list(CommandCall &call)
         json.append(QJsonObject{{QStringLiteral("name"), name},
                                 {QStringLiteral("markers"), markers},
                                 {QStringLiteral("cameras"), QJsonArray::fromStringList(registered)}});
-        lines << QStringLiteral("%1: %2 markers, %3")
-                     .arg(name)
-                     .arg(markers)
-                     .arg(registered.isEmpty() ? QStringLiteral("no camera registered") : registered.join(QStringLiteral(", ")));
+        lines << QStringLiteral("%1: %2, %3")
+                     .arg(name, counted(markers, QStringLiteral("marker")),
+                          registered.isEmpty() ? QStringLiteral("no camera registered") : registered.join(QStringLiteral(", ")));
     }
     if (lines.isEmpty())
         lines << QStringLiteral("There is no layout yet.");

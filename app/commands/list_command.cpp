@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/counted.h"
 #include "app/json_answers.h"
 #include "core/project/repositories.h"
 
@@ -33,12 +34,12 @@ Result<void> runList(const QStringList &arguments, const CancelToken &cancel)
                                   {QStringLiteral("robots"), robots},
                                   {QStringLiteral("duration_s"), trial.durationS},
                                   {QStringLiteral("views"), trial.viewCount}});
-        lines << QStringLiteral("  %1  %2  %3  %4 s  %5 views")
+        lines << QStringLiteral("  %1  %2  %3  %4 s  %5")
                      .arg(QString::fromStdString(trial.name), -24)
                      .arg(QString::fromStdString(trial.teamName), -16)
                      .arg(dateText(trial.date))
                      .arg(trial.durationS, 0, 'f', 2)
-                     .arg(trial.viewCount);
+                     .arg(counted(trial.viewCount, QStringLiteral("view")));
     }
     call.answer({{QStringLiteral("title"), QString::fromStdString(*title)}, {QStringLiteral("trials"), trials}},
                 lines.join(u'\n'));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/counted.h"
 #include "app/option_names.h"
 #include "core/base/percentile.h"
 #include "core/workflow/record_trial.h"
@@ -71,9 +72,9 @@ double rateOf(const ViewRecording &view)
 QString viewWords(const QString &name, const ViewRecording &view)
 {
     const std::uint64_t lost = view.lostOnWire + view.lostByUs;
-    return QStringLiteral("\nView %1: %2 pictures, %3 a second, %4 lost.")
+    return QStringLiteral("\nView %1: %2, %3 a second, %4 lost.")
         .arg(name)
-        .arg(view.taken.size())
+        .arg(counted(view.taken.size(), QStringLiteral("picture")))
         .arg(rateOf(view), 0, 'f', 1)
         .arg(lost == 0 ? QStringLiteral("none") : QString::number(lost));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/counted.h"
 #include "app/option_names.h"
 #include "app/output_option.h"
 #include "app/report_options.h"
@@ -63,7 +64,7 @@ Result<void> runReport(const QStringList &arguments, const CancelToken &cancel)
         return made;
     const QString file = QString::fromStdString(call.value(option::output));
     call.answer({{QStringLiteral("report"), file}, {QStringLiteral("pages"), job.pageCount()}},
-                QStringLiteral("Wrote %1, %2 pages.").arg(file).arg(job.pageCount()));
+                QStringLiteral("Wrote %1, %2.").arg(file, counted(job.pageCount(), QStringLiteral("page"))));
     return {};
 }
 

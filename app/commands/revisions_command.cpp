@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/counted.h"
 #include "app/json_answers.h"
 #include "app/option_names.h"
 #include "core/workflow/revisions.h"
@@ -36,7 +37,7 @@ QString revisionText(const Revision &revision)
                        .arg(dateText(revision.made), QString::fromStdString(revision.origin))
                        .arg(revision.rmsPx, 0, 'f', 2);
     if (!revision.trials.empty())
-        text += QStringLiteral(", %1 trials").arg(revision.trials.size());
+        text += QStringLiteral(", ") + counted(revision.trials.size(), QStringLiteral("trial"));
     return revision.isCurrent ? text + QStringLiteral(", in force") : text;
 }
 

@@ -128,10 +128,9 @@ Result<void> runRobot(const QStringList &arguments, const CancelToken &cancel)
     const auto added = changing(**project, "add robot " + robot->name, [&] { return (*project)->robots().add(*robot); });
     if (!added)
         return tl::unexpected(added.error());
-    call.answer({{QStringLiteral("robot"), call.positional(2)},
-                 {QStringLiteral("colour"), QString::fromStdString(robot->colour.toString())}},
-                QStringLiteral("Robot %1 added, colour %2.")
-                    .arg(call.positional(2), QString::fromStdString(robot->colour.toString())));
+    const QString name = QString::fromStdString(added->name), colour = QString::fromStdString(added->colour.toString());
+    call.answer({{QStringLiteral("robot"), name}, {QStringLiteral("colour"), colour}},
+                QStringLiteral("Robot %1 added, colour %2.").arg(name, colour));
     return {};
 }
 

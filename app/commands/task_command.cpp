@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/counted.h"
 #include "app/task_answers.h"
 #include "core/exchange/task_file.h"
 #include "core/project/changing.h"
@@ -15,13 +16,13 @@ namespace {
 QString summary(const TaskRecord &task)
 {
     const std::string_view kind = taskTemplateWord(task.task.kind);
-    return QStringLiteral("  %1  %2  %3 gates%4%5%6")
+    return QStringLiteral("  %1  %2  %3%4%5%6")
         .arg(QString::fromStdString(task.name), -24)
         .arg(QString::fromUtf8(kind.data(), qsizetype(kind.size())), -13)
-        .arg(task.task.gates.size())
+        .arg(counted(task.task.gates.size(), QStringLiteral("gate")))
         .arg(task.task.path.points.empty() ? QString() : QStringLiteral(", reference path"),
              task.task.limits.maxSpeedMps || task.task.limits.maxAccelMps2 ? QStringLiteral(", limits") : QString(),
-             task.task.zones.empty() ? QString() : QStringLiteral(", %1 zones").arg(task.task.zones.size()));
+             task.task.zones.empty() ? QString() : QStringLiteral(", ") + counted(task.task.zones.size(), QStringLiteral("zone")));
 }
 
 Result<void> addTask(const CommandCall &call)
@@ -74,9 +75,10 @@ Result<void> setTask(const CommandCall &call)
                                       [&] { return (*project)->trials().setTask(trial->id, task->name); });
         !set)
         return set;
-    call.answer({{QStringLiteral("trial"), call.positional(2)}, {QStringLiteral("task"), call.positional(3)}},
+    const QString trialName = QString::fromStdString(trial->name), taskName = QString::fromStdString(task->name);
+    call.answer({{QStringLiteral("trial"), trialName}, {QStringLiteral("task"), taskName}},
                 QStringLiteral("Trial %1 has the task %2; measure it with: odograph track %3 %1 --again")
-                    .arg(call.positional(2), call.positional(3), call.positional(1)));
+                    .arg(trialName, taskName, call.positional(1)));
     return {};
 }
 

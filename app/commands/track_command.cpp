@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "app/counted.h"
 #include "app/json_answers.h"
 #include "app/option_names.h"
 #include "app/task_answers.h"
@@ -29,11 +30,11 @@ QJsonObject robotJson(const TrackedRobot &robot)
 QString robotText(const TrackedRobot &robot)
 {
     const Profile &profile = robot.analysis.profile;
-    return QStringLiteral("%1: %2 of %3 frames, %4 spikes, path %5 m in %6 s, top speed %7 m/s%8")
+    return QStringLiteral("%1: %2 of %3 frames, %4, path %5 m in %6 s, top speed %7 m/s%8")
         .arg(QString::fromStdString(robot.name))
         .arg(robot.tracked)
         .arg(robot.frames)
-        .arg(profile.spikes.size())
+        .arg(counted(profile.spikes.size(), QStringLiteral("spike")))
         .arg(metricValue(profile, "path_length"), 0, 'f', 3)
         .arg(metricValue(profile, "duration"), 0, 'f', 2)
         .arg(metricValue(profile, "max_speed"), 0, 'f', 3)

@@ -78,6 +78,7 @@ private:
     {
         std::set<RecordId> measured, analysed; ///< robots
     };
+    Result<void> compareOverrules(const Newest &newest, RecordId trial);
     Result<void> compareDigests(const Newest &newest, Proved &proved);
     void lookAtMeasurements(const TrialName &trial);
     void lookAtObservations(const RecordingRecord &recording, RecordId robot);
@@ -125,6 +126,22 @@ Result<void> AnalysisCheck::prepare()
     return {};
 }
 
+/// Those in force of the trial, and those the analysis was made with.
+Result<void> AnalysisCheck::compareOverrules(const Newest &newest, RecordId trial)
+{
+    Statement different(m_connection, QStringLiteral("WITH now AS (SELECT frame, is_spike FROM overrule WHERE trial_id=?1 AND robot_id=?2), "
+                                                     "used AS (SELECT frame, is_spike FROM analysis_overrule WHERE analysis_id=?3) "
+                                                     "SELECT EXISTS (SELECT * FROM now EXCEPT SELECT * FROM used) OR "
+                                                     "EXISTS (SELECT * FROM used EXCEPT SELECT * FROM now)"));
+    const auto found = different.bind(trial).bind(newest.robot).bind(newest.analysis).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (different.integer(0) != 0)
+        report("the manual overrides have changed since robot '" + newest.robotName + "' was analysed",
+               "restore the project from a backup copy, or " + trackAgain);
+    return {};
+}
+
 Result<void> AnalysisCheck::compareDigests(const Newest &newest, Proved &proved)
 {
     const auto outcome = m_digests.compare(newest.analysis, allDigestParts);
@@ -151,6 +168,8 @@ Result<void> AnalysisCheck::look(const TrialName &trial)
     Proved proved;
     for (const Newest &newest : m_newest[trial.id]) {
         if (auto compared = compareDigests(newest, proved); !compared)
+            return compared;
+        if (auto compared = compareOverrules(newest, trial.id); !compared)
             return compared;
     }
     if (m_isThorough || !std::ranges::all_of(m_measured[trial.id], [&](const Measured &one) { return proved.measured.contains(one.robot); }))

@@ -6,6 +6,7 @@
 #include "core/project/names.h"
 #include "core/project/stored_words.h"
 
+#include <algorithm>
 #include <cstring>
 #include <memory>
 
@@ -69,6 +70,58 @@ Result<std::vector<std::byte>> changeset(const ProjectConnection &connection, co
 int abortOnConflict(void *, int, sqlite3_changeset_iter *)
 {
     return SQLITE_CHANGESET_ABORT;
+}
+
+struct TouchedAnalysis
+{
+    RecordId id = 0, trial = 0, robot = 0;
+};
+
+struct ChangesetEnd
+{
+    void operator()(sqlite3_changeset_iter *rows) const { sqlite3changeset_finalize(rows); }
+};
+
+/// The analyses that a changeset adds or removes. rows is read only.
+Result<std::vector<TouchedAnalysis>> touchedAnalyses(const ProjectConnection &connection, std::size_t size, void *rows)
+{
+    sqlite3_changeset_iter *start = nullptr;
+    if (const int code = sqlite3changeset_start(&start, static_cast<int>(size), rows); code != SQLITE_OK)
+        return refusal(connection, code);
+    const std::unique_ptr<sqlite3_changeset_iter, ChangesetEnd> each(start);
+    std::vector<TouchedAnalysis> touched;
+    int code = SQLITE_ROW;
+    while ((code = sqlite3changeset_next(start)) == SQLITE_ROW) {
+        const char *table = nullptr;
+        int columns = 0, operation = 0;
+        sqlite3changeset_op(start, &table, &columns, &operation, nullptr);
+        if (std::strcmp(table, "analysis") != 0 || operation == SQLITE_UPDATE)
+            continue;
+        const auto number = [&](int column) -> RecordId {
+            sqlite3_value *value = nullptr;
+            (operation == SQLITE_INSERT ? sqlite3changeset_new : sqlite3changeset_old)(start, column, &value);
+            return value ? sqlite3_value_int64(value) : 0;
+        };
+        touched.push_back({number(0), number(1), number(2)}); // id, trial_id, robot_id
+    }
+    if (code != SQLITE_DONE)
+        return refusal(connection, code);
+    return touched;
+}
+
+/// Whether somebody analysed one of these robots again after the change: what is shown comes from that analysis and would stay.
+Result<bool> isAnalysedSince(const ProjectConnection &connection, const std::vector<TouchedAnalysis> &touched)
+{
+    for (const TouchedAnalysis &one : touched) {
+        Statement newest(connection, QStringLiteral("SELECT MAX(id) FROM analysis WHERE trial_id=? AND robot_id=?"));
+        const auto found = newest.bind(one.trial).bind(one.robot).firstRow();
+        if (!found)
+            return tl::unexpected(found.error());
+        const RecordId id = newest.integer(0);
+        if (id > one.id && std::ranges::find(touched, id, &TouchedAnalysis::id) == touched.end())
+            return true;
+    }
+    return false;
 }
 
 } // namespace
@@ -165,7 +218,15 @@ Result<void> ChangeJournal::apply(const Bytes &rows, const std::string &what, co
     return transact(m_connection, [&]() -> Result<void> {
         // SQLite reads them only, whatever it asks for.
         auto *bytes = const_cast<std::byte *>(rows.data()); // NOLINT(cppcoreguidelines-pro-type-const-cast): see above
-        const int code = sqlite3changeset_apply(m_connection.handle(), static_cast<int>(rows.size()), bytes, nullptr, abortOnConflict, nullptr);
+        const auto touched = touchedAnalyses(m_connection, rows.size(), bytes);
+        if (!touched)
+            return tl::unexpected(touched.error());
+        const auto isSuperseded = isAnalysedSince(m_connection, *touched);
+        if (!isSuperseded)
+            return tl::unexpected(isSuperseded.error());
+        const int code = *isSuperseded ? SQLITE_ABORT
+                                       : sqlite3changeset_apply(m_connection.handle(), static_cast<int>(rows.size()), bytes, nullptr,
+                                                                abortOnConflict, nullptr);
         if (code == SQLITE_ABORT || code == SQLITE_CONSTRAINT)
             return fail(ErrorCode::InvalidInput, what + " '" + words + "'",
                         "what it concerns has been changed or used since",

@@ -33,7 +33,8 @@ public:
     /// made again stays so.
     Result<void> note(const std::string &words, const std::function<Result<void>()> &work);
     /// Gives the words of the change. NotFound where there is none; InvalidInput, and nothing done, where
-    /// what it changed was changed since by something that is not in the journal.
+    /// what it changed was changed since by something that is not in the journal, or where a robot it analysed was
+    /// analysed again since.
     Result<std::string> undo();
     Result<std::string> redo();
 

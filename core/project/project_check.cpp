@@ -5,6 +5,7 @@
 #include "core/project/analysis_check.h"
 #include "core/project/checked_files.h"
 #include "core/project/connection.h"
+#include "core/project/derived_figures_check.h"
 #include "core/project/limit_check.h"
 #include "core/project/recording_lock.h"
 #include "core/project/recording_rows.h"
@@ -190,6 +191,8 @@ Result<std::vector<ProjectProblem>> checkProject(Project &project, ProjectConnec
         if (!readable)
             problems.push_back({error.what + ": " + error.why, file, restoreBackup});
     }
+    if (auto checked = checkDerivedFigures(project, connection, problems); !checked)
+        problems.push_back({checked.error().what + ": " + checked.error().why, file, restoreBackup});
     const std::vector<KeptFile> files = filesOf(project, problems);
     if (auto checked = checkAnalyses(project, connection, withHashes, partOf(control, 0.1, 0.4), problems); !checked && !control.isCancelled())
         problems.push_back({checked.error().what + ": " + checked.error().why, file, restoreBackup});

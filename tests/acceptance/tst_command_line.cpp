@@ -12,6 +12,7 @@
 
 using namespace odo;
 using namespace odo::test;
+using namespace Qt::StringLiterals;
 
 /// Every subcommand with a good call and with bad ones: the answer, the exit status, the one-line error, and that a
 /// failed call leaves the project's file as it was.
@@ -286,6 +287,7 @@ private Q_SLOTS:
         row("snapshot %P run1 -o %/x.png --size 10x10", 2, "--size");
         row("snapshot %P run1 -o %/nowhere/x.png", 1, "x.png");
         row("snapshot %P run1 -o %/x.png --mode dance", 2, "--mode");
+        row("snapshot %P run1 -o %/x.txt", 2, ".png or .jpg");
         row("target checkerboard", 2, "-o is missing");
         row("target hexagon -o %/t.pdf", 2, "hexagon");
         row("target tags -o %/t.pdf --size 300mm", 1, "do not fit");
@@ -293,6 +295,24 @@ private Q_SLOTS:
     }
 
     void badCallsFailInOneLine() { badCallFailsInOneLine(); }
+
+    /// And counts of one are singular.
+    void answersGiveWhatIsStored()
+    {
+        const QString own = path("own.odo");
+        const auto answer = [](const QStringList &arguments) { return QString::fromUtf8(runProgram(arguments).out).trimmed(); };
+        QCOMPARE(runProgram({u"new"_s, own}).exitStatus, 0);
+        QCOMPARE(answer({u"robot"_s, u"add"_s, own, u"  trim me  "_s, u"--colour"_s, u"#0000ff"_s}), u"Robot trim me added, colour #0000ff."_s);
+        QCOMPARE(answer({u"camera"_s, u"add"_s, own, u" A "_s}), u"Camera A added."_s);
+        QCOMPARE(answer({u"layout"_s, u"add"_s, own, u" floor "_s, path("layout.csv")}), u"Layout floor has 4 markers."_s);
+        QVERIFY(QDir().mkpath(path("own.media")));
+        QFile stray(path("own.media/stray.txt"));
+        QVERIFY(stray.open(QIODevice::WriteOnly));
+        stray.close();
+        const ProgramRun check = runProgram({u"check"_s, own});
+        QCOMPARE(check.exitStatus, 1);
+        QVERIFY2(check.err.contains(": 1 problem found; "), check.err.constData());
+    }
 
     void aRobotThatIsNotThereIsNotFound()
     {

@@ -6,6 +6,7 @@
 #include "tests/support/program.h"
 
 #include <QDir>
+#include <QDirIterator>
 #include <QElapsedTimer>
 #include <QFileInfo>
 #include <QJsonDocument>
@@ -29,6 +30,7 @@ private Q_SLOTS:
     void asJsonToo();
     void anImportLeavesNothing_data();
     void anImportLeavesNothing();
+    void theCommandIsNamed();
     void theSecondInterruptEndsAtOnce();
     void aWindowEndsAsIfClosed_data();
     void aWindowEndsAsIfClosed();
@@ -148,6 +150,19 @@ void TestStopping::anImportLeavesNothing()
     QCOMPARE((*project)->trials().all()->size(), std::size_t(ended == 0 ? 1 : 0));
     QVERIFY((*project)->check(true)->empty());
     QCOMPARE(QDir(path("p.media")).entryList(QDir::Files | QDir::Hidden).size(), ended == 0 ? 1 : 0);
+}
+
+/// Not the video that it was rendering just then.
+void TestStopping::theCommandIsNamed()
+{
+    const QString folder = path("lesson");
+    begin({QStringLiteral("demo"), folder});
+    const auto isRendering = [&] { return QDirIterator(folder, {QStringLiteral("*.mkv")}, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories).hasNext(); };
+    QVERIFY(QTest::qWaitFor(isRendering, 60'000));
+    signal(SIGINT);
+    QCOMPARE(end(), 130);
+    QCOMPARE(m_program->readAllStandardError(), QByteArray("odograph: demo: cancelled; nothing was changed\n"));
+    QVERIFY(!QFileInfo::exists(folder));
 }
 
 /// Whatever the first one waits for; what was recorded is found at the next opening.

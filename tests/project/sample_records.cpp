@@ -69,9 +69,10 @@ RegistrationRecord RecordSource::registration(RecordId camera, RecordId layout, 
     registration.worldFromCamera.rotation = {number(), number(), number(), number()};
     registration.worldFromCamera.translation = {number(), number(), number()};
     registration.poseCovariance = Eigen::Matrix<double, 6, 6>::NullaryExpr([this] { return number(); });
-    registration.rmsPx = positive();
-    registration.rmsM = positive();
     registration.markers = {{"O", positive(), positive()}, {"U", positive(), positive()}};
+    const MarkerError &o = registration.markers[0], &u = registration.markers[1];
+    registration.rmsPx = std::hypot(o.errorPx, u.errorPx) / std::sqrt(2.0);
+    registration.rmsM = std::hypot(o.errorM, u.errorM) / std::sqrt(2.0);
     registration.verdict = "typical error 1.8 mm";
     return record;
 }
@@ -182,6 +183,16 @@ TruthSeries RecordSource::truth(RecordId trial, RecordId robot, std::size_t rows
     return truth;
 }
 
+void describe(TrialRecord &trial, const std::vector<RecordingRecord> &views)
+{
+    const RecordingRecord &second = views.at(1);
+    trial.durationS = toSeconds(views.front().frameTimes.back());
+    trial.syncMethod = second.syncMethod;
+    trial.syncOffsetS = second.startOffsetS;
+    trial.syncOffsetSigmaS = second.startOffsetSigmaS;
+    trial.syncRate = second.clockRate;
+}
+
 Result<FilledProject> fill(Project &project, RecordSource &source)
 {
     FilledProject filled;
@@ -201,8 +212,9 @@ Result<FilledProject> fill(Project &project, RecordSource &source)
         trial.team = team->id;
         trial.task = "line";
         trial.robots = {robot->id};
-        const auto stored =
-            project.trials().add(trial, {source.recording(a->id, 50), source.recording(b->id, 50)});
+        const std::vector<RecordingRecord> views{source.recording(a->id, 50), source.recording(b->id, 50)};
+        describe(trial, views);
+        const auto stored = project.trials().add(trial, views);
         if (!stored)
             return tl::unexpected(stored.error());
         filled.trial = stored->id;

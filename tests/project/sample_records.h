@@ -45,6 +45,8 @@ struct FilledProject
     RecordId trial = 0, robot = 0;
     std::vector<RecordId> recordings;
 };
+/// Duration and synchronisation of a trial, as two views give them.
+void describe(TrialRecord &trial, const std::vector<RecordingRecord> &views);
 Result<FilledProject> fill(Project &project, RecordSource &source);
 
 } // namespace odo

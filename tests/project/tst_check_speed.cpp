@@ -69,6 +69,7 @@ class TestCheckSpeed : public QObject
         TrialRecord trial;
         trial.name = "copied";
         trial.robots = {filled.robot};
+        describe(trial, recordings);
         trial = *project.trials().add(trial, recordings);
         const auto stored = project.trials().recordings(trial.id);
         for (const RecordingRecord &recording : *stored) {

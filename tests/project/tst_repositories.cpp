@@ -241,6 +241,7 @@ private Q_SLOTS:
         TrialRecord trial; // nothing was recorded of it
         trial.name = "from elsewhere";
         trial.robots = {robot};
+        trial.durationS = 760e-9;
         trial.id = (*m_project)->trials().add(trial, {})->id;
         QVERIFY(!(*m_project)->trials().currentImportedTrack(trial.id, robot)->has_value());
         ImportedTrack wanted{trial.id, robot, m_source.instant(), "lauf ß.txt", "00ff", 123, "tum", "metres, σ 5 mm", {}};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A person's word on a sample is one change: it is taken back, and made again, as a whole.
+#include "core/base/without_value.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/overrule_job.h"
@@ -42,6 +43,49 @@ private Q_SLOTS:
         QCOMPARE(words(), std::size_t(1));
         const auto analyses = project->analyses().current(trial.id); // with its series
         QVERIFY(analyses && !analyses->front().profile.samples.empty());
+    }
+
+    /// Another program, or our own tracking, that analysed the robot again: what it shows would stay, whatever Undone says.
+    void isNotTakenBackUnderALaterAnalysis_data()
+    {
+        QTest::addColumn<bool>("isRedo");
+        QTest::newRow("undo") << false;
+        QTest::newRow("redo") << true;
+    }
+    void isNotTakenBackUnderALaterAnalysis()
+    {
+        QFETCH(bool, isRedo);
+        const QTemporaryDir folder;
+        const auto project = openStoredExample(folder.path().toStdString());
+        const auto mark = [](Project &in, std::int64_t frame) {
+            OverruleRequest request;
+            request.trial = "Trial 1";
+            request.frame = frame;
+            OverruleJob job(request);
+            return runToEnd(job, in, JobControl());
+        };
+        QVERIFY(mark(*project, 12));
+        if (isRedo) {
+            // The number that the analysis had is used by none, so that SQLite sees no conflict.
+            const auto analyses = project->analyses().current(project->trials().find("Trial 1")->id);
+            AnalysisRecord other = analyses->front();
+            other.trial = project->trials().find("Trial 2")->id;
+            QVERIFY(project->note("measure another trial", [&] { return withoutValue(project->analyses().add(other)); }));
+            QVERIFY(project->undo());
+        }
+        const auto outside = Project::openAgain(project->file(), Project::Access::ReadWrite).value();
+        QVERIFY(mark(*outside, 14));
+        const QStringList before = contentOf(*project);
+        const auto done = isRedo ? project->redo() : project->undo();
+        QVERIFY(!done);
+        QCOMPARE(done.error().code, ErrorCode::InvalidInput);
+        QCOMPARE(QString::fromStdString(done.error().message()),
+                 QStringLiteral("%1 'mark frame 12 of Trial 1 as a spike': what it concerns has been changed or used since; take the later "
+                                "change back first, or leave it")
+                     .arg(isRedo ? QStringLiteral("redo") : QStringLiteral("undo")));
+        QCOMPARE(contentOf(*project), before);
+        QVERIFY(outside->undo()); // then it can be
+        QVERIFY(isRedo ? project->redo() : project->undo());
     }
 };
 

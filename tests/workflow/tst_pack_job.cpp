@@ -90,6 +90,7 @@ void TestPackJob::init()
     m_camera = m_project->cameras().add({0, "A", ""})->id;
     TrialRecord trial;
     trial.name = "run";
+    trial.durationS = 0.033;
     const auto added = m_project->trials().add(
         trial, {recording("school/lesson.media/run.mkv"), recording("elsewhere/run.mkv")});
     QVERIFY2(added, added ? "" : added.error().message().c_str());

@@ -151,12 +151,16 @@ void FileActions::openDropped(const QStringList &files)
     }
 }
 
+QString FileActions::askFile(const QString &title, const QString &offered) const
+{
+    const QString file = QFileDialog::getSaveFileName(&m_window, title, offered, tr("Odograph projects (*.odo)"), nullptr,
+                                                      QFileDialog::DontConfirmOverwrite); // it is refused, whatever the answer
+    return file.isEmpty() ? file : withSuffix(file);
+}
+
 QString FileActions::newFile() const
 {
-    const QString file = QFileDialog::getSaveFileName(&m_window, tr("New project"),
-                                                      QDir(documentsFolder()).filePath(tr("Project.odo")),
-                                                      tr("Odograph projects (*.odo)"));
-    return file.isEmpty() ? file : withSuffix(file);
+    return askFile(tr("New project"), QDir(documentsFolder()).filePath(tr("Project.odo")));
 }
 
 void FileActions::askLike()
@@ -205,11 +209,9 @@ void FileActions::askCopy()
 {
     const QString own = textOf(m_workspace.project()->file());
     const QString offered = QFileInfo(own).dir().filePath(tr("Copy of %1").arg(QFileInfo(own).fileName()));
-    QString file =
-        QFileDialog::getSaveFileName(&m_window, tr("Save a copy"), offered, tr("Odograph projects (*.odo)"));
+    const QString file = askFile(tr("Save a copy"), offered);
     if (file.isEmpty())
         return;
-    file = withSuffix(file);
     tellFailure(m_workspace.start(std::make_shared<CopyJob>(pathOf(file)), tr("Saving a copy"), [this, file] {
         Q_EMIT done(tr("A copy was saved as %1. Its videos stay where they are.").arg(QDir::toNativeSeparators(file)));
     }));

@@ -49,6 +49,8 @@ Q_SIGNALS:
     void tracksDropped(const QStringList &files);
 
 private:
+    /// Of a project to be made. A project is never replaced, so the dialog doesn't offer to. Empty: none was chosen.
+    QString askFile(const QString &title, const QString &offered) const;
     QString newFile() const; ///< empty: none was chosen
     void askNew();
     void askLike();

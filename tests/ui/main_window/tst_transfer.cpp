@@ -11,12 +11,14 @@
 #include "ui/main_window/message_bar.h"
 #include "ui/main_window/workspace.h"
 
+#include <QApplication>
 #include <QDir>
 #include <QFile>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 
 using namespace odo;
 
@@ -45,6 +47,8 @@ private Q_SLOTS:
     void lostVideosAreFound();
     void strayFilesBecomeTrialsOrGo();
     void theNextYearBeginsWithTheSetUp();
+    void aProjectIsNeverReplaced_data();
+    void aProjectIsNeverReplaced();
 
 private:
     QString path(const char *name) const { return m_folder.filePath(QString::fromLatin1(name)); }
@@ -74,6 +78,37 @@ void TestTransfer::initTestCase()
     QVERIFY2(made, made ? "" : made.error().message().c_str());
     m_window = std::make_unique<MainWindow>();
     QVERIFY(m_window->openProject(*made));
+}
+
+void TestTransfer::aProjectIsNeverReplaced_data()
+{
+    QTest::addColumn<QString>("action");
+    for (const char *action : {"Save a copy as…", "New project…", "New project from this one…"})
+        QTest::newRow(action) << QString::fromUtf8(action);
+}
+
+/// So nobody is asked whether it shall be: the refusal comes at once, with its name.
+void TestTransfer::aProjectIsNeverReplaced()
+{
+    QFETCH(QString, action);
+    QFile taken(path("home/taken.odo"));
+    QVERIFY(taken.open(QIODevice::WriteOnly | QIODevice::Truncate) && taken.write("precious") == 8);
+    taken.close();
+    bool isAsked = false;
+    QTimer watch;
+    connect(&watch, &QTimer::timeout, this, [&isAsked] {
+        auto *const modal = qobject_cast<QDialog *>(QApplication::activeModalWidget());
+        isAsked = isAsked || qobject_cast<QMessageBox *>(modal);
+        if (isAsked && modal)
+            modal->reject();
+    });
+    watch.start(std::chrono::milliseconds(20));
+    run(action.toUtf8().constData(), {chooseFile(taken.fileName())});
+    QVERIFY(!isAsked);
+    QTRY_VERIFY2(message().contains(QStringLiteral("taken.odo")) && message().contains(QStringLiteral("a file of that name is there already")),
+                 qPrintable(message()));
+    QVERIFY(taken.open(QIODevice::ReadOnly));
+    QCOMPARE(taken.readAll(), QByteArray("precious"));
 }
 
 void TestTransfer::theNextYearBeginsWithTheSetUp()
