@@ -6551,6 +6551,14 @@
         <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
         <translation>öffnen Sie es erneut; wenn Sie gerade aufgenommen haben, suchen Sie nach herrenlosen Dateien (odograph check --adopt)</translation>
     </message>
+    <message>
+        <source>it is in a media folder beside a project</source>
+        <translation>sie liegt in einem Medienordner neben einem Projekt</translation>
+    </message>
+    <message>
+        <source>Odograph uses such names for temporary files</source>
+        <translation>Odograph verwendet solche Namen für temporäre Dateien</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6551,6 +6551,14 @@
         <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
         <translation>ábralo de nuevo; si estaba grabando, busque archivos sueltos (odograph check --adopt)</translation>
     </message>
+    <message>
+        <source>it is in a media folder beside a project</source>
+        <translation>está en una carpeta de medios junto a un proyecto</translation>
+    </message>
+    <message>
+        <source>Odograph uses such names for temporary files</source>
+        <translation>Odograph usa esos nombres para archivos temporales</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

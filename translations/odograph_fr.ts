@@ -6551,6 +6551,14 @@
         <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
         <translation>ouvrez-le à nouveau ; si vous étiez en train d’enregistrer, cherchez les fichiers orphelins (odograph check --adopt)</translation>
     </message>
+    <message>
+        <source>it is in a media folder beside a project</source>
+        <translation>il se trouve dans un dossier de médias à côté d’un projet</translation>
+    </message>
+    <message>
+        <source>Odograph uses such names for temporary files</source>
+        <translation>Odograph utilise de tels noms pour ses fichiers temporaires</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6549,6 +6549,14 @@
         <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
         <translation>다시 여십시오. 녹화 중이었다면 소속 없는 파일을 찾아 보십시오 (odograph check --adopt)</translation>
     </message>
+    <message>
+        <source>it is in a media folder beside a project</source>
+        <translation>프로젝트 옆의 미디어 폴더 안에 있습니다</translation>
+    </message>
+    <message>
+        <source>Odograph uses such names for temporary files</source>
+        <translation>Odograph가 임시 파일에 쓰는 이름입니다</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6549,6 +6549,14 @@
         <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
         <translation>请重新打开；如果当时正在录制，请查找无归属的文件（odograph check --adopt）</translation>
     </message>
+    <message>
+        <source>it is in a media folder beside a project</source>
+        <translation>它位于某个项目旁的媒体文件夹中</translation>
+    </message>
+    <message>
+        <source>Odograph uses such names for temporary files</source>
+        <translation>Odograph 将此类名称用于临时文件</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>
