@@ -6556,6 +6556,14 @@
         <translation>seine Datei wurde gelöscht, umbenannt oder ersetzt, während es offen war; nichts wurde gespeichert</translation>
     </message>
     <message>
+        <source>it is in a media folder beside a project</source>
+        <translation>sie liegt in einem Medienordner neben einem Projekt</translation>
+    </message>
+    <message>
+        <source>Odograph uses such names for temporary files</source>
+        <translation>Odograph verwendet solche Namen für temporäre Dateien</translation>
+    </message>
+    <message>
         <source>put it back in its place and try again</source>
         <translation>legen Sie sie an ihren Platz zurück und versuchen Sie es noch einmal</translation>
     </message>

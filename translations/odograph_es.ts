@@ -6556,6 +6556,14 @@
         <translation>su archivo se ha borrado, renombrado o sustituido mientras estaba abierto; no se ha guardado nada</translation>
     </message>
     <message>
+        <source>it is in a media folder beside a project</source>
+        <translation>está en una carpeta de medios junto a un proyecto</translation>
+    </message>
+    <message>
+        <source>Odograph uses such names for temporary files</source>
+        <translation>Odograph usa esos nombres para archivos temporales</translation>
+    </message>
+    <message>
         <source>put it back in its place and try again</source>
         <translation>devuélvalo a su sitio e inténtelo de nuevo</translation>
     </message>

@@ -6556,6 +6556,14 @@
         <translation>son fichier a été supprimé, renommé ou remplacé pendant qu’il était ouvert ; rien n’a été enregistré</translation>
     </message>
     <message>
+        <source>it is in a media folder beside a project</source>
+        <translation>il se trouve dans un dossier de médias à côté d’un projet</translation>
+    </message>
+    <message>
+        <source>Odograph uses such names for temporary files</source>
+        <translation>Odograph utilise de tels noms pour ses fichiers temporaires</translation>
+    </message>
+    <message>
         <source>put it back in its place and try again</source>
         <translation>remettez-le à sa place et réessayez</translation>
     </message>

@@ -6554,6 +6554,14 @@
         <translation>열려 있는 동안 파일이 삭제되거나 이름이 바뀌거나 교체되었습니다. 저장된 것이 없습니다</translation>
     </message>
     <message>
+        <source>it is in a media folder beside a project</source>
+        <translation>프로젝트 옆의 미디어 폴더 안에 있습니다</translation>
+    </message>
+    <message>
+        <source>Odograph uses such names for temporary files</source>
+        <translation>Odograph가 임시 파일에 쓰는 이름입니다</translation>
+    </message>
+    <message>
         <source>put it back in its place and try again</source>
         <translation>파일을 제자리에 되돌려 놓고 다시 시도하십시오</translation>
     </message>

@@ -6554,6 +6554,14 @@
         <translation>打开期间其文件被删除、重命名或替换；未保存任何内容</translation>
     </message>
     <message>
+        <source>it is in a media folder beside a project</source>
+        <translation>它位于某个项目旁的媒体文件夹中</translation>
+    </message>
+    <message>
+        <source>Odograph uses such names for temporary files</source>
+        <translation>Odograph 将此类名称用于临时文件</translation>
+    </message>
+    <message>
         <source>put it back in its place and try again</source>
         <translation>请将其放回原处，然后重试</translation>
     </message>

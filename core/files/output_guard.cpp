@@ -50,15 +50,48 @@ std::filesystem::path mediaFolderOf(const std::filesystem::path &project)
     return project.parent_path() / (project.stem().string() + std::string(mediaEnding));
 }
 
-/// The project whose media folder that is by its name; empty where there is none.
-std::filesystem::path projectBeside(const std::filesystem::path &folder)
+bool isMediaName(const std::filesystem::path &folder)
 {
     const std::string name = folder.filename().string();
-    if (name.size() <= mediaEnding.size() || !folded(name).ends_with(mediaEnding))
+    return name.size() > mediaEnding.size() && folded(name).ends_with(mediaEnding);
+}
+
+/// By content: a project may have any name.
+bool holdsProject(const std::filesystem::path &file, const ProtectedFiles &open)
+{
+    const auto identity = identityOf(file);
+    if (!identity || open.isOpenProject(*identity))
+        return identity.has_value();
+    if (open.isPartOfOpenProject(*identity) || !files::isFile(file))
+        return false;
+    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor < 0)
+        return false;
+    std::array<char, kindBytes> start{};
+    const ssize_t length = ::pread(descriptor, start.data(), start.size(), 0);
+    ::close(descriptor);
+    return length > 0 && kindOf({start.data(), static_cast<std::size_t>(length)}) == FileKind::Project;
+}
+
+/// A project in the folder whose name `isMeant` likes; empty where there is none. One that is damaged is known by its ending.
+template <class IsMeant> std::filesystem::path projectIn(const std::filesystem::path &folder, const ProtectedFiles &open, const IsMeant &isMeant)
+{
+    std::error_code ignored;
+    for (const std::filesystem::path name : files::namesIn(folder, ignored)) {
+        const std::filesystem::path file = folder / name;
+        if (isMeant(name) && ((folded(name.extension().string()) == projectEnding && files::isFile(file)) || holdsProject(file, open)))
+            return file;
+    }
+    return {};
+}
+
+/// The project whose media folder that is by its name; empty where there is none.
+std::filesystem::path projectBeside(const std::filesystem::path &folder, const ProtectedFiles &open)
+{
+    if (!isMediaName(folder))
         return {};
-    const std::filesystem::path project =
-        folder.parent_path() / (name.substr(0, name.size() - mediaEnding.size()) + std::string(projectEnding));
-    return files::isFile(project) ? project : std::filesystem::path();
+    const std::string stem = folded(folder.stem().string());
+    return projectIn(folder.parent_path(), open, [&](const std::filesystem::path &name) { return folded(name.stem().string()) == stem; });
 }
 
 /// The folders above a file, the nearest first.
@@ -136,6 +169,8 @@ public:
             return refused(reason);
         if (const auto project = m_target.isOwnMedia ? std::filesystem::path() : projectOfMedia(); !project.empty())
             return refused("it is in the media folder of project '" + project.filename().string() + "'");
+        if (m_exists && !m_target.isOwnMedia && isInSomeMedia())
+            return refused("it is in a media folder beside a project");
         OutputPlace place{m_path.real, m_exists, FileKind::Empty, m_status.st_mode & 0777U};
         if (!m_exists)
             return place;
@@ -179,6 +214,13 @@ private:
             if (hasMoreNames() && isSideFile(project.real, identity()))
                 return "it is the log, the lock or a backup of a project";
         }
+        const std::string name = folded(m_path.real.filename().string());
+        const auto isBesideIt = [&](const std::filesystem::path &project) {
+            const std::string start = folded(project.string());
+            return name.starts_with(start) && isSideSuffix(std::string_view(name).substr(start.size()));
+        };
+        if (!projectIn(m_path.real.parent_path(), m_protected, isBesideIt).empty())
+            return "it is the log, the lock or a backup of a project";
         for (const ProtectedFile &input : m_protected.inputs())
             if (m_exists && (input.identity == identity() || input.real == m_path.real))
                 return input.reason;
@@ -199,13 +241,21 @@ private:
             }
         std::filesystem::path project;
         const auto look = [&](const std::filesystem::path &folder) {
-            project = projectBeside(folder);
+            project = projectBeside(folder, m_protected);
             return !project.empty();
         };
         if (!anyFolderAbove(m_path.real, look))
             for (auto name = m_path.named.begin(); name != m_path.named.end() && !anyFolderAbove(*name, look);)
                 ++name;
         return project;
+    }
+
+    /// A project that was renamed alone still has its videos in the folder of its old name.
+    bool isInSomeMedia() const
+    {
+        return anyFolderAbove(m_path.real, [&](const std::filesystem::path &folder) {
+            return isMediaName(folder) && !projectIn(folder.parent_path(), m_protected, [](const auto &) { return true; }).empty();
+        });
     }
 
     /// It isn't an open project: reasonOfName() has looked.

@@ -60,11 +60,7 @@ OpenProjectFile::~OpenProjectFile()
 Result<void> checkMayBeRead(const std::filesystem::path &file, const std::string &what)
 {
     const auto identity = identityOf(file);
-    const ProtectedFiles all;
-    const auto isPartOf = [&](const ProtectedFile &project) {
-        return std::ranges::any_of(std::array{"", "-shm", "-wal", "-journal"}, [&](const char *part) { return identityOf(project.real.string() + part) == identity; });
-    };
-    if (identity && std::ranges::any_of(all.projects(), isPartOf))
+    if (identity && ProtectedFiles().isPartOfOpenProject(*identity))
         return fail(ErrorCode::InvalidInput, what, "it is a project that is open here", "choose another file");
     return {};
 }
@@ -93,6 +89,13 @@ bool ProtectedFiles::isOpenProject(const FileIdentity &file) const
 {
     return std::ranges::any_of(projects(), [&](const ProtectedFile &project) {
         return project.identity == file || identityOf(project.real) == file;
+    });
+}
+
+bool ProtectedFiles::isPartOfOpenProject(const FileIdentity &file) const
+{
+    return std::ranges::any_of(projects(), [&](const ProtectedFile &project) {
+        return std::ranges::any_of(std::array{"", "-shm", "-wal", "-journal"}, [&](const char *part) { return identityOf(project.real.string() + part) == file; });
     });
 }
 

@@ -74,6 +74,8 @@ public:
     const std::list<ProtectedFile> &projects() const;
     const std::list<ProtectedFile> &inputs() const;
     bool isOpenProject(const FileIdentity &file) const;
+    /// The project, or what SQLite keeps beside it.
+    bool isPartOfOpenProject(const FileIdentity &file) const;
 
 private:
     std::unique_lock<std::mutex> m_lock;

@@ -67,7 +67,11 @@ private Q_SLOTS:
         fs::create_directories(path("other.media"));
         fs::create_directories(path("free.media"));
         fs::create_directories(path("sub"));
-        for (const char *name : {"p.odo", "other.odo", "sub/third.odo"})
+        for (const char *folder : {"proj.media", "bare.media", "CAPS.media", "beside/old.media/deep"})
+            fs::create_directories(path(folder));
+        for (const char *name : {"proj.media/a.csv", "bare.media/a.csv", "CAPS.media/a.csv", "beside/old.media/deep/a.csv"})
+            write(path(name), "a,b\n");
+        for (const char *name : {"p.odo", "other.odo", "sub/third.odo", "Proj.x", "bare", "caps.ODO", "beside/new"})
             write(path(name), projectBytes);
         for (const char *name : {"p.odo-wal", "p.media/run_A.mkv", "p.media/calibration/a.png", "other.media/run.mkv", "p.odo.bak-3", "p.odo.damaged"})
             write(path(name), "a,b\n");
@@ -124,6 +128,14 @@ private Q_SLOTS:
         add("up/p.media/new.csv", inMedia);
         add(root + "/other.media/run.mkv", "it is in the media folder of project 'other.odo'");
         add(root + "/other.media/new.csv", "it is in the media folder of project 'other.odo'");
+        // A project is known by its content, whatever it is called.
+        for (const char *name : {"proj.media/a.csv", "proj.media/new.csv"})
+            add(root + '/' + name, "it is in the media folder of project 'Proj.x'");
+        add(root + "/bare.media/a.csv", "it is in the media folder of project 'bare'");
+        add(root + "/CAPS.media/a.csv", "it is in the media folder of project 'caps.ODO'");
+        add(root + "/beside/old.media/deep/a.csv", "it is in a media folder beside a project");
+        for (const char *name : {"Proj.x-wal", "proj.x.lock", "bare.bak-1"})
+            add(root + '/' + name, besideIt);
         // What else must stay.
         add(root + "/other.odo", "it is another project");
         add("third.odo", "it is another project");
@@ -170,7 +182,7 @@ private Q_SLOTS:
     void nothingIsRefusedThatMayBeWritten()
     {
         for (const char *name : {"new.csv", "table.csv", "empty", "dangling_free.csv", "hard_free.csv", "free.media/a.csv", "p.media.csv", "p.mediax", "p.odo.csv",
-                                 "p.odo-walk", "sub/../new.csv", "p.media/../new.csv", "sub/media/../new.csv"})
+                                 "p.odo-walk", "beside/old.media/new.csv", "bare-walk", "a bare.lock", "letter.txt.lock", "sub/../new.csv", "p.media/../new.csv", "sub/media/../new.csv"})
             QCOMPARE(refusal(path(name)), std::string());
         QCOMPARE(checkOutput(path("table.csv"), FileKind::Csv)->kind, FileKind::Csv);
         QVERIFY(!checkOutput(path("new.csv"), FileKind::Csv)->exists);
@@ -238,9 +250,15 @@ private Q_SLOTS:
         };
         lock.l_type = F_WRLCK;
         QCOMPARE(::fcntl(descriptor, F_SETLK, &lock), 0);
-        for (const char *name : {"p.odo", "hard.csv", "link.csv", "p.odo-wal", "new.csv"})
+        write(path("p.odo-shm"), "index of the log");
+        const int index = ::open(path("p.odo-shm").c_str(), O_RDWR | O_CLOEXEC);
+        QCOMPARE(::fcntl(index, F_SETLK, &lock), 0);
+        for (const char *name : {"p.odo", "hard.csv", "link.csv", "p.odo-wal", "new.csv", "p.media/run_A.mkv", "free.media/a.csv"})
             static_cast<void>(refusal({path(name), Existing::ReplaceAny}));
         QVERIFY(!isLockFree(path("p.odo")));
+        QVERIFY(!isLockFree(path("p.odo-shm")));
+        ::close(index);
+        fs::remove(path("p.odo-shm"));
         ::close(descriptor);
         QVERIFY(isLockFree(path("p.odo")));
     }

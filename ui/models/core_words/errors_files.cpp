@@ -18,6 +18,8 @@ std::span<const CorePattern> errorsFiles()
         {QT_TRANSLATE_NOOP("CoreWords", "it is the project itself")},
         {QT_TRANSLATE_NOOP("CoreWords", "it is the log, the lock or a backup of a project")},
         {QT_TRANSLATE_NOOP("CoreWords", "it is in the media folder of project '%1'")},
+        {QT_TRANSLATE_NOOP("CoreWords", "it is in a media folder beside a project")},
+        {QT_TRANSLATE_NOOP("CoreWords", "Odograph uses such names for temporary files")},
         {QT_TRANSLATE_NOOP("CoreWords", "it is an input of the same call")},
         {QT_TRANSLATE_NOOP("CoreWords", "it is a recording of the project")},
         {QT_TRANSLATE_NOOP("CoreWords", "it is another project")},
