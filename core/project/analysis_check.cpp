@@ -78,7 +78,6 @@ private:
     {
         std::set<RecordId> measured, analysed; ///< robots
     };
-    Result<void> compareOverrules(const Newest &newest, RecordId trial);
     Result<void> compareDigests(const Newest &newest, Proved &proved);
     void lookAtMeasurements(const TrialName &trial);
     void lookAtObservations(const RecordingRecord &recording, RecordId robot);
@@ -94,11 +93,12 @@ private:
     std::map<RecordId, std::vector<Measured>> m_measured; ///< by trial
     std::map<RecordId, std::string> m_robotNames;
     std::map<RecordId, TaskRecord> m_tasks;
+    std::set<RecordId> m_overruledSince; ///< analyses made with other manual overrides than their trial has now
     std::set<RecordId> m_changed; ///< analyses of the trial whose results differ from their digests
     std::string m_where;
 };
 
-/// Reads of all trials which robots were measured and analysed.
+/// Reads of all trials which robots were measured and analysed, and with which manual overrides.
 Result<void> AnalysisCheck::prepare()
 {
     Statement newest(m_connection, QStringLiteral("SELECT trial_id, MAX(analysis.id), robot_id, robot.name FROM analysis JOIN robot "
@@ -117,28 +117,24 @@ Result<void> AnalysisCheck::prepare()
     });
     if (!read)
         return read;
+    Statement overruled(m_connection,
+                        QStringLiteral("WITH newest AS (SELECT MAX(id) AS id, trial_id, robot_id FROM analysis GROUP BY trial_id, robot_id), "
+                                       "used AS (SELECT id, frame, is_spike FROM analysis_overrule JOIN newest ON id=analysis_id), "
+                                       "now AS (SELECT id, frame, is_spike FROM overrule JOIN newest USING (trial_id, robot_id)) "
+                                       "SELECT id FROM (SELECT * FROM now EXCEPT SELECT * FROM used) UNION "
+                                       "SELECT id FROM (SELECT * FROM used EXCEPT SELECT * FROM now)"));
+    read = overruled.eachRow([this](const Statement &row) -> Result<void> {
+        m_overruledSince.insert(row.integer(0));
+        return {};
+    });
+    if (!read)
+        return read;
     const auto robots = m_project.robots().all();
     for (const RobotRecord &robot : robots.value_or(std::vector<RobotRecord>()))
         m_robotNames[robot.id] = robot.name;
     const auto tasks = m_project.tasks().all();
     for (const TaskRecord &task : tasks.value_or(std::vector<TaskRecord>()))
         m_tasks[task.id] = task;
-    return {};
-}
-
-/// Those in force of the trial, and those the analysis was made with.
-Result<void> AnalysisCheck::compareOverrules(const Newest &newest, RecordId trial)
-{
-    Statement different(m_connection, QStringLiteral("WITH now AS (SELECT frame, is_spike FROM overrule WHERE trial_id=?1 AND robot_id=?2), "
-                                                     "used AS (SELECT frame, is_spike FROM analysis_overrule WHERE analysis_id=?3) "
-                                                     "SELECT EXISTS (SELECT * FROM now EXCEPT SELECT * FROM used) OR "
-                                                     "EXISTS (SELECT * FROM used EXCEPT SELECT * FROM now)"));
-    const auto found = different.bind(trial).bind(newest.robot).bind(newest.analysis).firstRow();
-    if (!found)
-        return tl::unexpected(found.error());
-    if (different.integer(0) != 0)
-        report("the manual overrides have changed since robot '" + newest.robotName + "' was analysed",
-               "restore the project from a backup copy, or " + trackAgain);
     return {};
 }
 
@@ -169,8 +165,9 @@ Result<void> AnalysisCheck::look(const TrialName &trial)
     for (const Newest &newest : m_newest[trial.id]) {
         if (auto compared = compareDigests(newest, proved); !compared)
             return compared;
-        if (auto compared = compareOverrules(newest, trial.id); !compared)
-            return compared;
+        if (m_overruledSince.contains(newest.analysis))
+            report("the manual overrides have changed since robot '" + newest.robotName + "' was analysed",
+                   "restore the project from a backup copy, or " + trackAgain);
     }
     if (m_isThorough || !std::ranges::all_of(m_measured[trial.id], [&](const Measured &one) { return proved.measured.contains(one.robot); }))
         lookAtMeasurements(trial);

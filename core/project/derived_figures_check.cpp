@@ -22,12 +22,11 @@ bool isOther(double a, double b)
     return std::abs(a - b) > relative * std::max({std::abs(a), std::abs(b), 1e-3});
 }
 
-/// The last frame time of a recording; nothing where it cannot be read, which other checks report.
-std::optional<Nanoseconds> endOfRecording(const ProjectConnection &connection, RecordId recording)
+/// The last of packed frame times; nothing where they cannot be read, which other checks report.
+std::optional<Nanoseconds> lastOf(const QByteArray &packedTimes)
 {
-    Statement last(connection, QStringLiteral("SELECT times FROM frame_time_chunk WHERE recording_id=? ORDER BY position DESC LIMIT 1"));
     std::vector<Nanoseconds> times;
-    if (!last.bind(recording).firstRow().value_or(false) || !unpackTimes(last.blob(0), "frame times", times) || times.empty())
+    if (!unpackTimes(packedTimes, "frame times", times) || times.empty())
         return std::nullopt;
     return times.back();
 }
@@ -55,7 +54,8 @@ Result<void> checkTrials(const ProjectConnection &connection, std::vector<Projec
 {
     Statement trials(connection,
                      QStringLiteral("SELECT trial.id, trial.name, duration_s, first.id, trial.sync_method, sync_offset_s, sync_offset_sigma_s, sync_rate, "
-                                    "second.id, second.sync_method, second.start_offset_s, second.start_offset_sigma_s, second.clock_rate FROM trial "
+                                    "second.id, second.sync_method, second.start_offset_s, second.start_offset_sigma_s, second.clock_rate, "
+                                    "(SELECT times FROM frame_time_chunk WHERE recording_id=first.id ORDER BY position DESC LIMIT 1) FROM trial "
                                     "LEFT JOIN recording AS first ON first.trial_id=trial.id AND first.position=0 "
                                     "LEFT JOIN recording AS second ON second.trial_id=trial.id AND second.position=1 "
                                     "WHERE state='complete' ORDER BY trial.id"));
@@ -63,7 +63,7 @@ Result<void> checkTrials(const ProjectConnection &connection, std::vector<Projec
         const std::string where = "trial '" + row.name(1) + "'";
         const bool isRecorded = row.integer(3) != 0;
         const double durationS = row.real(2);
-        const auto end = isRecorded ? endOfRecording(connection, row.integer(3)) : endOfTracks(connection, row.integer(0));
+        const auto end = isRecorded ? lastOf(row.blob(13)) : endOfTracks(connection, row.integer(0));
         if (end && isOther(durationS, toSeconds(*end)))
             problems.push_back({"its duration is stored as " + formatNumber(durationS, 3) + " s, its " +
                                     (isRecorded ? "recordings last " : "imported tracks last ") + formatNumber(toSeconds(*end), 3) + " s",
