@@ -4,6 +4,7 @@
 #include "core/base/file_system.h"
 #include "core/files/protected_files.h"
 #include "core/files/resolved_path.h"
+#include "core/files/temporary.h"
 
 #include <algorithm>
 #include <array>
@@ -226,6 +227,8 @@ private:
     /// Likewise, of a name that belongs to what a project has beside it.
     const char *reasonBesideProjects() const
     {
+        if (isTemporaryName(m_path.real.filename())) // it would be swept
+            return "Odograph uses such names for temporary files";
         constexpr const char *besideIt = "it is the log, the lock or a backup of a project";
         if (isSideName(m_path.real.filename(), std::string(projectEnding)))
             return besideIt;
