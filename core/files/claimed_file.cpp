@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
 
@@ -128,6 +129,16 @@ ClaimedFile::Outcome<ClaimedFile> ClaimedFile::hold(const std::filesystem::path 
     if (const int held = lock(descriptor, LOCK_SH | LOCK_NB); held != 0)
         return tl::unexpected(systemError(held));
     return file;
+}
+
+ClaimedFile::Outcome<std::int64_t> ClaimedFile::bytes() const
+{
+    struct stat status
+    {
+    };
+    if (::fstat(m_descriptor, &status) != 0)
+        return tl::unexpected(systemError(errno));
+    return status.st_size;
 }
 
 std::error_code ClaimedFile::write(std::span<const char> bytes) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -32,6 +33,8 @@ public:
     ClaimedFile &operator=(ClaimedFile &&other) noexcept;
 
     const std::filesystem::path &path() const { return m_path; }
+    /// How many it has, whatever it is called by now.
+    Outcome<std::int64_t> bytes() const;
     /// All of it, behind what was written before.
     std::error_code write(std::span<const char> bytes) const;
     /// All that was written is on the disk.

@@ -21,7 +21,7 @@ public:
 
     /// Where to write to: a descriptor, or the file's name for libraries that open it themselves.
     int descriptor() const { return m_temporary->descriptor(); }
-    const std::filesystem::path &temporary() const { return m_temporary->path(); }
+    std::filesystem::path temporary() const { return m_temporary->path(); }
     Result<void> write(std::string_view bytes);
     /// Once, when all is written. The target is checked again: meanwhile something may have got its name.
     Result<void> commit();

@@ -4,6 +4,7 @@
 #include "core/base/file_system.h"
 #include "core/files/protected_files.h"
 #include "core/files/resolved_path.h"
+#include "core/files/temporary.h"
 
 #include <algorithm>
 #include <array>
@@ -187,6 +188,15 @@ public:
         return place;
     }
 
+    Result<void> runForProject() const
+    {
+        if (const char *reason = reasonBesideProjects())
+            return refused(reason);
+        if (const auto project = projectOfMedia(); !project.empty())
+            return refused("it is in the media folder of project '" + project.filename().string() + "'");
+        return {};
+    }
+
 private:
     std::string what() const { return nameOf(m_target); }
     tl::unexpected<Error> refused(const std::string &why) const { return refusedAs(m_target, why); }
@@ -203,28 +213,38 @@ private:
     {
         if (m_exists && m_protected.isOpenProject(identity()))
             return "it is the project itself";
-        if (isSideName(m_path.real.filename(), std::string(projectEnding)))
-            return "it is the log, the lock or a backup of a project";
-        for (const ProtectedFile &project : m_protected.projects()) {
+        for (const ProtectedFile &project : m_protected.projects())
             if (!m_exists && (m_path.real == project.real || m_path.real == project.named))
                 return "it is the project itself";
+        if (const char *reason = reasonBesideProjects())
+            return reason;
+        for (const ProtectedFile &input : m_protected.inputs())
+            if (m_exists && (input.identity == identity() || input.real == m_path.real))
+                return input.reason;
+        return nullptr;
+    }
+
+    /// Likewise, of a name that belongs to what a project has beside it.
+    const char *reasonBesideProjects() const
+    {
+        if (isTemporaryName(m_path.real.filename())) // it would be swept
+            return "Odograph uses such names for temporary files";
+        constexpr const char *besideIt = "it is the log, the lock or a backup of a project";
+        if (isSideName(m_path.real.filename(), std::string(projectEnding)))
+            return besideIt;
+        for (const ProtectedFile &project : m_protected.projects()) {
             if (isSideName(m_path.real.filename(), project.real.filename().string()) &&
                 identityOf(m_path.real.parent_path()) == identityOf(project.real.parent_path()))
-                return "it is the log, the lock or a backup of a project";
+                return besideIt;
             if (hasMoreNames() && isSideFile(project.real, identity()))
-                return "it is the log, the lock or a backup of a project";
+                return besideIt;
         }
         const std::string name = folded(m_path.real.filename().string());
         const auto isBesideIt = [&](const std::filesystem::path &project) {
             const std::string start = folded(project.string());
             return name.starts_with(start) && isSideSuffix(std::string_view(name).substr(start.size()));
         };
-        if (!projectIn(m_path.real.parent_path(), m_protected, isBesideIt).empty())
-            return "it is the log, the lock or a backup of a project";
-        for (const ProtectedFile &input : m_protected.inputs())
-            if (m_exists && (input.identity == identity() || input.real == m_path.real))
-                return input.reason;
-        return nullptr;
+        return projectIn(m_path.real.parent_path(), m_protected, isBesideIt).empty() ? nullptr : besideIt;
     }
 
     /// The project to whose media the file belongs, or would; empty: none.
@@ -301,6 +321,21 @@ Result<OutputPlace> checkOutput(const OutputTarget &target, std::optional<FileKi
     if (!path)
         return tl::unexpected(path.error());
     return OutputCheck(target, std::move(*path)).run(kind);
+}
+
+Result<void> checkNewProject(const std::filesystem::path &file, const std::string &what)
+{
+    std::filesystem::path folder = files::absolute(file).parent_path();
+    while (!files::isFolder(folder) && folder.has_relative_path()) // a demo makes its folder
+        folder = folder.parent_path();
+    const OutputTarget target(folder / file.filename(), Existing::Refuse);
+    auto path = resolved(target.file);
+    if (!path)
+        return {}; // making it says why
+    auto checked = OutputCheck(target, std::move(*path)).runForProject();
+    if (!checked)
+        checked.error().what = what;
+    return checked;
 }
 
 } // namespace odo

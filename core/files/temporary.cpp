@@ -22,7 +22,9 @@ namespace odo {
 namespace {
 
 constexpr std::string_view nameStart = ".odograph-", nameEnd = ".part", nameLetters = "abcdefghijklmnopqrstuvwxyz234567";
+constexpr const char *markName = "temporary folder of Odograph";
 constexpr std::size_t lettersOfName = 12;
+constexpr const char *nameOfFile = "new";
 constexpr std::time_t longestWritingS = 24 * 3600; // where the file system knows no locks
 
 /// Empty, with errno, where the system has no random numbers.
@@ -40,28 +42,50 @@ void removeAll(const std::filesystem::path &path)
     }
 }
 
+/// What marks a folder as one that was made here: a copy of it, or one that was renamed, is somebody's own.
+std::string markOf(const std::filesystem::path &folder)
+{
+    return folder.filename().string() + " is a temporary folder of Odograph, which removes it.\n";
+}
+
+bool hasMark(const std::filesystem::path &folder)
+{
+    const int descriptor = ::open((folder / markName).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (descriptor < 0)
+        return false;
+    const std::string mark = markOf(folder);
+    std::string text(mark.size() + 1, '\0');
+    const ssize_t length = ::pread(descriptor, text.data(), text.size(), 0);
+    ::close(descriptor);
+    return length == static_cast<ssize_t>(mark.size()) && text.starts_with(mark);
+}
+
+/// False, with errno, where it cannot be written.
+bool setMark(const std::filesystem::path &folder)
+{
+    const int descriptor = ::open((folder / markName).c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
+    if (descriptor < 0)
+        return false;
+    const int failed = writeAll(descriptor, markOf(folder));
+    ::close(descriptor);
+    errno = failed;
+    return failed == 0;
+}
+
 void removeIfStray(const std::filesystem::path &path)
 {
     struct stat status
     {
     };
-    if (::lstat(path.c_str(), &status) != 0 || status.st_uid != ::geteuid())
+    if (::lstat(path.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) || status.st_uid != ::geteuid())
         return;
-    if (S_ISREG(status.st_mode) && status.st_nlink > 1) { // it has got its own name already, and this one was left
-        ::unlink(path.c_str());
-        return;
-    }
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
     if (descriptor < 0)
         return;
     const bool isUnlocked = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
     const bool isUnknown = !isUnlocked && errno != EWOULDBLOCK;
-    if (isUnlocked || (isUnknown && std::time(nullptr) - status.st_mtime > longestWritingS)) {
-        if (S_ISDIR(status.st_mode))
-            removeAll(path);
-        else
-            ::unlink(path.c_str());
-    }
+    if ((isUnlocked || (isUnknown && std::time(nullptr) - status.st_mtime > longestWritingS)) && hasMark(path))
+        removeAll(path);
     ::close(descriptor);
 }
 
@@ -84,9 +108,8 @@ tl::unexpected<Error> cannotMake(const std::filesystem::path &folder, const std:
                 "choose a folder that you may write to");
 }
 
-/// What was made by `make` (path, giving a descriptor or -1) under a new name, locked.
-template <class Make>
-Result<std::pair<std::filesystem::path, int>> madeIn(const std::filesystem::path &folder, const std::string &what, const Make &make)
+/// A new folder under a new name, locked and marked: its path, and what holds its lock.
+Result<std::pair<std::filesystem::path, int>> madeIn(const std::filesystem::path &folder, const std::string &what)
 {
     sweep(folder);
     constexpr int mostAttempts = 100;
@@ -95,15 +118,23 @@ Result<std::pair<std::filesystem::path, int>> madeIn(const std::filesystem::path
         if (name.empty())
             break;
         const std::filesystem::path path = folder / name;
-        const int descriptor = make(path);
-        if (descriptor < 0 && errno != EEXIST)
+        if (::mkdir(path.c_str(), 0700) != 0) {
+            if (errno == EEXIST)
+                continue;
             break;
-        if (descriptor < 0)
-            continue;
-        static_cast<void>(::flock(descriptor, LOCK_EX)); // where there are no locks, its age tells
-        if (isAt(path, descriptor))
-            return std::pair(path, descriptor);
-        ::close(descriptor); // somebody has swept it, just before it was locked
+        }
+        const int descriptor = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+        if (descriptor >= 0) {
+            static_cast<void>(::flock(descriptor, LOCK_EX)); // where there are no locks, its age tells
+            if (setMark(path)) // nobody sweeps it before
+                return std::pair(path, descriptor);
+        }
+        const int failed = errno;
+        removeAll(path);
+        if (descriptor >= 0)
+            ::close(descriptor);
+        errno = failed;
+        break;
     }
     return cannotMake(folder, what, errno);
 }
@@ -166,27 +197,28 @@ int giveFreeName(const std::filesystem::path &from, const std::filesystem::path 
     return takePlace(from, to);
 }
 
-TemporaryFile::TemporaryFile(std::filesystem::path path, int descriptor, std::string what)
-    : m_path(std::move(path)), m_descriptor(descriptor), m_what(std::move(what))
+TemporaryFile::TemporaryFile(std::unique_ptr<TemporaryFolder> folder, int descriptor, std::string what)
+    : m_folder(std::move(folder)), m_descriptor(descriptor), m_what(std::move(what))
 {
 }
 
 Result<std::unique_ptr<TemporaryFile>> TemporaryFile::make(const std::filesystem::path &folder, const std::string &what)
 {
-    auto made = madeIn(folder, what, [](const std::filesystem::path &path) {
-        return ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-    });
+    auto made = TemporaryFolder::make(folder, what);
     if (!made)
         return tl::unexpected(made.error());
-    return std::unique_ptr<TemporaryFile>(new TemporaryFile(std::move(made->first), made->second, what));
+    const int descriptor = ::open(((*made)->path() / nameOfFile).c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor < 0)
+        return cannotMake(folder, what, errno);
+    return std::unique_ptr<TemporaryFile>(new TemporaryFile(std::move(*made), descriptor, what));
 }
 
 TemporaryFile::~TemporaryFile()
 {
-    if (isAt(m_path, m_descriptor)) // it has no other name yet
-        ::unlink(m_path.c_str());
     ::close(m_descriptor);
 }
+
+std::filesystem::path TemporaryFile::path() const { return m_folder->path() / nameOfFile; }
 
 tl::unexpected<Error> TemporaryFile::failure(int reason) const
 {
@@ -201,13 +233,19 @@ Result<void> TemporaryFile::sync() const
     return ::fsync(m_descriptor) == 0 ? Result<void>() : failure(errno);
 }
 
+void TemporaryFile::published(const std::filesystem::path &target)
+{
+    m_folder.reset();
+    syncToDisk(target.parent_path()); // some file systems cannot sync a folder: the file itself is safe already
+}
+
 Result<void> TemporaryFile::replace(const std::filesystem::path &target)
 {
     if (auto synced = sync(); !synced)
         return synced;
-    if (::rename(m_path.c_str(), target.c_str()) != 0)
+    if (::rename(path().c_str(), target.c_str()) != 0)
         return failure(errno);
-    syncToDisk(m_path.parent_path()); // some file systems cannot sync a folder: the file itself is safe already
+    published(target);
     return {};
 }
 
@@ -215,22 +253,15 @@ Result<void> TemporaryFile::publish(const std::filesystem::path &target)
 {
     if (auto synced = sync(); !synced)
         return synced;
-    if (const int reason = giveFreeName(m_path, target); reason != 0)
+    if (const int reason = giveFreeName(path(), target); reason != 0)
         return failure(reason);
-    syncToDisk(m_path.parent_path());
+    published(target);
     return {};
 }
 
 Result<std::unique_ptr<TemporaryFolder>> TemporaryFolder::make(const std::filesystem::path &folder, const std::string &what)
 {
-    auto made = madeIn(folder, what, [](const std::filesystem::path &path) {
-        if (::mkdir(path.c_str(), 0700) != 0)
-            return -1;
-        const int descriptor = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
-        if (descriptor < 0 && errno == ENOENT)
-            errno = EEXIST; // somebody has swept it: the next name
-        return descriptor;
-    });
+    auto made = madeIn(folder, what);
     if (!made)
         return tl::unexpected(made.error());
     std::unique_ptr<TemporaryFolder> temporary(new TemporaryFolder(std::move(made->first), made->second));

@@ -8,36 +8,9 @@
 
 namespace odo {
 
-/// What is being written gets a name that nobody can foresee, ".odograph-XXXXXXXXXXXX.part", and its own name when it is whole. Files and
-/// folders of such names that a killed program has left are removed when the next one is made beside them: as long as somebody writes
-/// to one, it is locked (flock). Any thread, one at a time.
-
-/// A new file in the making, removed unless it was published.
-class TemporaryFile
-{
-public:
-    /// what: for messages. Errors: NotFound (no such folder), Io (the disk is full), ReadOnly (the folder cannot be written to).
-    static Result<std::unique_ptr<TemporaryFile>> make(const std::filesystem::path &folder, const std::string &what);
-    ~TemporaryFile();
-    TemporaryFile(const TemporaryFile &) = delete;
-    TemporaryFile &operator=(const TemporaryFile &) = delete;
-
-    int descriptor() const { return m_descriptor; } ///< to write to; belongs to this object
-    const std::filesystem::path &path() const { return m_path; }
-    /// Has all bytes on the disk, then the file under that name, in the same folder, in place of what was there.
-    Result<void> replace(const std::filesystem::path &target);
-    /// Likewise, but AlreadyExists where anything has that name.
-    Result<void> publish(const std::filesystem::path &target);
-
-private:
-    TemporaryFile(std::filesystem::path path, int descriptor, std::string what);
-    tl::unexpected<Error> failure(int reason) const;
-    Result<void> sync() const;
-
-    const std::filesystem::path m_path;
-    const int m_descriptor;
-    const std::string m_what;
-};
+/// What is being written lies in a folder with a name that nobody can foresee, ".odograph-XXXXXXXXXXXX.part", and gets its own name when it is whole.
+/// Such folders that a killed program has left are removed when the next one is made beside them: as long as somebody writes to one, it is locked
+/// (flock). A file in it with the folder's name tells that it was made here: without that mark it is somebody's own, and stays. Any thread, one at a time.
 
 /// A new folder for what takes several files to make, or is opened by others; removed with all that is in it.
 class TemporaryFolder
@@ -59,7 +32,35 @@ private:
     const int m_descriptor;
 };
 
-/// Whether a file or folder is called as those above are.
+/// A new file in the making, in a temporary folder of its own, removed unless it was published.
+class TemporaryFile
+{
+public:
+    /// what: for messages. Errors: NotFound (no such folder), Io (the disk is full), ReadOnly (the folder cannot be written to).
+    static Result<std::unique_ptr<TemporaryFile>> make(const std::filesystem::path &folder, const std::string &what);
+    ~TemporaryFile();
+    TemporaryFile(const TemporaryFile &) = delete;
+    TemporaryFile &operator=(const TemporaryFile &) = delete;
+
+    int descriptor() const { return m_descriptor; } ///< to write to; belongs to this object
+    std::filesystem::path path() const; ///< until it is published
+    /// Has all bytes on the disk, then the file under that name, in the folder around, in place of what was there.
+    Result<void> replace(const std::filesystem::path &target);
+    /// Likewise, but AlreadyExists where anything has that name.
+    Result<void> publish(const std::filesystem::path &target);
+
+private:
+    TemporaryFile(std::unique_ptr<TemporaryFolder> folder, int descriptor, std::string what);
+    tl::unexpected<Error> failure(int reason) const;
+    Result<void> sync() const;
+    void published(const std::filesystem::path &target);
+
+    std::unique_ptr<TemporaryFolder> m_folder;
+    const int m_descriptor;
+    const std::string m_what;
+};
+
+/// Whether something is called as those folders are.
 bool isTemporaryName(const std::filesystem::path &name);
 
 /// Has the system write a file, or the names in a folder, to the disk. False, with errno, when it reported an error.

@@ -1,17 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/held_file.h"
 
-#include "core/base/file_system.h"
 #include "core/files/descriptor.h"
 
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
-#include <fstream>
+#include <optional>
+#include <string_view>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace odo {
+
+namespace {
+
+/// The line behind what a lock says, by which it is known.
+constexpr std::string_view mark = "\nlock of Odograph\n";
+constexpr std::size_t mostBytes = 400;
+
+/// The words of a lock's file; nothing where it is no lock's.
+std::optional<std::string> wordsIn(int descriptor)
+{
+    struct stat status
+    {
+    };
+    if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode) || status.st_nlink > 1)
+        return std::nullopt;
+    std::string text(mostBytes, '\0');
+    const ssize_t length = ::pread(descriptor, text.data(), text.size(), 0);
+    if (length <= 0 || status.st_size != length)
+        return length == 0 ? std::optional(std::string()) : std::nullopt;
+    text.resize(static_cast<std::size_t>(length));
+    if (!text.ends_with(mark))
+        return std::nullopt;
+    return text.substr(0, text.find('\n'));
+}
+
+} // namespace
 
 HeldFile::HeldFile(std::filesystem::path file, Afterwards afterwards, int descriptor)
     : m_file(std::move(file)), m_afterwards(afterwards), m_descriptor(descriptor)
@@ -36,8 +63,12 @@ Result<std::unique_ptr<HeldFile>> HeldFile::take(const std::filesystem::path &fi
             continue;
         }
         std::unique_ptr<HeldFile> held(new HeldFile(file, afterwards, descriptor));
-        if (::ftruncate(descriptor, 0) != 0 ||
-            ::write(descriptor, words.data(), words.size()) != static_cast<ssize_t>(words.size()))
+        if (!wordsIn(descriptor)) {
+            held->m_afterwards = Afterwards::Stays;
+            return held;
+        }
+        const std::string text = words.empty() ? words : words.substr(0, mostBytes - mark.size()) + std::string(mark);
+        if (::ftruncate(descriptor, 0) != 0 || ::write(descriptor, text.data(), text.size()) != static_cast<ssize_t>(text.size()))
             return fail(ErrorCode::Io, "cannot hold " + file.string(), std::strerror(errno),
                         "check the free space and the rights of its folder");
         return held;
@@ -56,14 +87,12 @@ bool HeldFile::isHeld(const std::filesystem::path &file)
 
 std::string HeldFile::wordsOf(const std::filesystem::path &file)
 {
-    constexpr std::streamsize mostWords = 300;
-    if (!files::isFile(file))
+    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (descriptor < 0)
         return {};
-    std::ifstream stream(file);
-    std::string words(mostWords, '\0');
-    stream.read(words.data(), mostWords);
-    words.resize(static_cast<std::size_t>(stream.gcount()));
-    return words.substr(0, words.find('\n'));
+    const std::string words = wordsIn(descriptor).value_or(std::string());
+    ::close(descriptor);
+    return words;
 }
 
 HeldFile::~HeldFile()

@@ -18,12 +18,13 @@ public:
     /// Whether the file stays when it is given up.
     enum class Afterwards { Stays, Goes };
 
-    /// Makes the file where it is not there. words: what it says to those who find it held. nullptr where
-    /// somebody holds it. Io where it cannot be written to.
+    /// Makes the file where it is not there. words: what it says to those who find it held, on one line. nullptr where
+    /// somebody holds it. Io where it cannot be written to. A file that has another name too, or holds what no lock
+    /// does, is somebody's own: it is held, but neither written to nor removed.
     static Result<std::unique_ptr<HeldFile>> take(const std::filesystem::path &file, Afterwards afterwards,
                                                   const std::string &words = {});
     static bool isHeld(const std::filesystem::path &file);
-    /// What its holder says; empty where it cannot be read.
+    /// What its holder says; empty where it cannot be read, or is no lock.
     static std::string wordsOf(const std::filesystem::path &file);
     ~HeldFile();
     HeldFile(const HeldFile &) = delete;
@@ -33,7 +34,7 @@ private:
     HeldFile(std::filesystem::path file, Afterwards afterwards, int descriptor);
 
     const std::filesystem::path m_file;
-    const Afterwards m_afterwards;
+    Afterwards m_afterwards;
     const int m_descriptor;
 };
 

@@ -2,6 +2,7 @@
 #include "core/project/project.h"
 
 #include "core/base/file_system.h"
+#include "core/files/output_guard.h"
 #include "core/project/change_journal.h"
 #include "core/project/class_repository.h"
 #include "core/project/connection.h"
@@ -88,6 +89,8 @@ Result<std::unique_ptr<Project>> Project::create(const std::filesystem::path &fi
     const std::string what = "project '" + file.string() + "'";
     if (auto valid = checkText("title of the project", title); !valid)
         return tl::unexpected(valid.error());
+    if (auto may = checkNewProject(file, what); !may)
+        return tl::unexpected(may.error());
     {
         NewFile newFile(file, what);
         if (auto ready = newFile.prepare(); !ready)

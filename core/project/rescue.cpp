@@ -2,6 +2,7 @@
 #include "core/project/rescue.h"
 
 #include "core/base/file_system.h"
+#include "core/files/output_guard.h"
 #include "core/project/project.h"
 
 #include <cstdlib>
@@ -39,7 +40,9 @@ Result<std::filesystem::path> rescueProject(const Project &project)
         for (int number = 1; number <= mostNames; ++number) {
             const std::string ending = number == 1 ? " (rescued).odo" : " (rescued " + std::to_string(number) + ").odo";
             const std::filesystem::path file = folder / (project.file().stem().string() + ending);
-            done = project.saveCopy(file);
+            done = checkNewProject(file, "project '" + project.file().filename().string() + "'");
+            if (done)
+                done = project.saveCopy(file);
             if (done)
                 return file;
             if (done.error().code != ErrorCode::AlreadyExists)

@@ -2,6 +2,7 @@
 #include "core/workflow/copy_job.h"
 
 #include "core/base/file_system.h"
+#include "core/files/output_guard.h"
 #include "core/project/project.h"
 
 namespace odo {
@@ -14,6 +15,8 @@ Result<void> CopyJob::prepare(Project &project)
 
 Result<void> CopyJob::run(const JobControl &control)
 {
+    if (auto may = checkNewProject(m_copy, "copy '" + m_copy.filename().string() + "'"); !may)
+        return may;
     control.report(0, "copying the project");
     const auto project = Project::openAgain(m_project, Project::Access::ReadOnly);
     if (!project)

@@ -4,6 +4,7 @@
 #include "core/base/file_system.h"
 #include "core/base/shortage.h"
 #include "core/exchange/layout_csv.h"
+#include "core/files/output_guard.h"
 #include "core/files/temporary.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -284,6 +285,8 @@ Result<fs::path> makeDemo(const fs::path &folder, const JobControl &control)
             return fail(ErrorCode::AlreadyExists, what, std::string(name) + " is there already",
                         "open it, or choose another folder");
     }
+    if (auto may = checkNewProject(folder / "demo.odo", what); !may)
+        return tl::unexpected(may.error());
     std::error_code problem;
     const bool folderIsNew = files::makeFolders(folder, problem);
     if (problem)

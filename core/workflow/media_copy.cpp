@@ -140,13 +140,16 @@ Result<ClaimedFile> writeMediaFile(const std::filesystem::path &folder, const st
 Result<MediaCopy> copyIntoMedia(const std::filesystem::path &source, const std::filesystem::path &mediaFolder,
                                 const std::string &name, const JobControl &control)
 {
-    std::error_code problem;
     const std::filesystem::path original = files::absolute(source);
     const std::string what = "copy of '" + source.string() + "'";
     const bool isThere = files::isSame(original.parent_path(), mediaFolder) || isOwnMedia(original, mediaFolder);
     auto copy = isThere ? held(original, what, control) : copied(original, mediaFolder, name, what, control);
-    if (copy)
-        copy->bytes = static_cast<std::int64_t>(files::sizeOf(copy->file.path(), problem));
+    if (!copy)
+        return copy;
+    const auto bytes = copy->file.bytes();
+    if (!bytes)
+        return fail(ErrorCode::Io, what, "it cannot be looked at (" + bytes.error().message() + ")", "check that the file is there and may be read");
+    copy->bytes = *bytes;
     return copy;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/file_system.h"
 #include "core/base/without_value.h"
+#include "core/files/output_guard.h"
 #include "core/project/new_file.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -81,7 +82,10 @@ Result<std::filesystem::path> makeProjectLike(const std::filesystem::path &origi
     const auto from = Project::openAgain(original, Project::Access::ReadOnly);
     if (!from)
         return tl::unexpected(from.error());
-    NewFile made(file, "project '" + file.string() + "'");
+    const std::string what = "project '" + file.string() + "'";
+    if (auto may = checkNewProject(file, what); !may)
+        return tl::unexpected(may.error());
+    NewFile made(file, what);
     if (auto ready = made.prepare(); !ready)
         return tl::unexpected(ready.error());
     if (auto filled = makeFilled(**from, made.temporary(), title, control); !filled)

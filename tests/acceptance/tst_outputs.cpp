@@ -284,7 +284,7 @@ private Q_SLOTS:
     {
         QTemporaryDir out;
         const QDir folder(out.path());
-        const auto left = [&] { return folder.entryList({QStringLiteral(".odograph-*.part")}, QDir::Files | QDir::Hidden).size(); };
+        const auto left = [&] { return folder.entryList({QStringLiteral(".odograph-*.part")}, QDir::Dirs | QDir::Hidden).size(); };
         QProcess process;
         process.start(qEnvironmentVariable("ODOGRAPH_PROGRAM"),
                       callOf(QStringLiteral("export %1 circle --format video -o")) << folder.filePath(QStringLiteral("a.mp4")));

@@ -184,10 +184,32 @@ private Q_SLOTS:
         QVERIFY(fs::exists((*first)->temporary()) && fs::exists((*folder)->path()));
         QVERIFY((*first)->commit().has_value());
         QCOMPARE(names().size(), std::size_t(5));
-        fs::create_hard_link(path("b.csv"), path(".odograph-aaaaaaaaaaaa.part")); // killed just when it got its name
+    }
+
+    /// Whatever it is called.
+    void whatIsNotItsOwnIsNotSwept()
+    {
+        write(path("notes.txt"), "Dear Anna\n");
+        write(path(".odograph-aaaaaaaaaaaa.part"), "somebody's own");
+        fs::create_hard_link(path("notes.txt"), path(".odograph-bbbbbbbbbbbb.part"));
+        fs::create_directories(path(".odograph-cccccccccccc.part/new"));
+        write(path(".odograph-cccccccccccc.part/new/photo.jpg"), "somebody's own");
+        fs::create_directories(path(".odograph-dddddddddddd.part"));
+        const auto before = names();
+        {
+            const auto folder = TemporaryFolder::make(path(), "folder").value();
+            write(folder->path() / "kept.csv", "a");
+            fs::copy(folder->path().parent_path(), path(".odograph-eeeeeeeeeeee.part"), fs::copy_options::recursive); // a copy is somebody's own
+        }
         QVERIFY(writeOutput(path("a.csv"), "a,b\n").has_value());
-        QVERIFY(!fs::exists(path(".odograph-aaaaaaaaaaaa.part")));
-        QCOMPARE(contentOf(path("b.csv")), std::string("a,b\n"));
+        for (const std::string &name : before)
+            QVERIFY2(fs::exists(path(name)), name.c_str());
+        QCOMPARE(names().size(), before.size() + 2);
+        QCOMPARE(contentOf(path(".odograph-cccccccccccc.part/new/photo.jpg")), std::string("somebody's own"));
+        QCOMPARE(contentOf(path(".odograph-eeeeeeeeeeee.part/new/kept.csv")), std::string("a"));
+        const auto refused = writeOutput({path(".odograph-ffffffffffff.part"), Existing::ReplaceAny}, "a,b\n");
+        QCOMPARE(refused.error().code, ErrorCode::WrongCall);
+        QCOMPARE(refused.error().message(), "file '" + path(".odograph-ffffffffffff.part").string() + "': Odograph uses such names for temporary files; choose another name");
     }
 
     void aFolderKeepsWhatWasPublished()

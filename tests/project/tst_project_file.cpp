@@ -106,6 +106,22 @@ private Q_SLOTS:
         QCOMPARE(files().size(), 1);
     }
 
+    void creatingTakesNoPlaceOfAnotherProject()
+    {
+        const QString media = m_folder->filePath(QString::fromStdString(m_file.stem().string()) + QStringLiteral(".media"));
+        QVERIFY(QDir().mkpath(media));
+        for (const char *suffix : {"-wal", "-shm", "-journal", ".lock", ".bak-1", ".damaged"}) {
+            const auto refused = Project::create(m_file.string() + suffix, "");
+            QCOMPARE(refused.error().code, ErrorCode::WrongCall);
+            QCOMPARE(refused.error().message(), "project '" + m_file.string() + suffix + "': it is the log, the lock or a backup of a project; choose another name");
+        }
+        const auto inside = Project::create(media.toStdString() + "/inner.odo", "");
+        QCOMPARE(inside.error().code, ErrorCode::WrongCall);
+        QCOMPARE(inside.error().why, "it is in the media folder of project '" + m_file.filename().string() + "'");
+        QVERIFY(QDir(media).isEmpty());
+        QCOMPARE(files().size(), 1);
+    }
+
     void readingChangesNoByteAndLeavesNoFile()
     {
         const QByteArray before = content(m_file);

@@ -30,7 +30,7 @@ private:
         return std::filesystem::path(m_folder.path().toStdString()) / name;
     }
     /// How many files are being written, or were left.
-    int temporaries() const { return int(QDir(m_folder.path()).entryList({QStringLiteral(".odograph-*")}, QDir::Files | QDir::Hidden).size()); }
+    int temporaries() const { return int(QDir(m_folder.path()).entryList({QStringLiteral(".odograph-*")}, QDir::Dirs | QDir::Hidden).size()); }
     QTemporaryDir m_folder;
 };
 

@@ -43,6 +43,14 @@ private Q_SLOTS:
                  refused.error().message().c_str());
     }
 
+    void takesNoNameThatBelongsToAnotherProject()
+    {
+        CopyJob job(path("lesson.odo.lock"));
+        const auto refused = runToEnd(job, *m_project, {});
+        QCOMPARE(refused.error().code, ErrorCode::WrongCall);
+        QVERIFY(!std::filesystem::exists(path("lesson.odo.lock")));
+    }
+
 private:
     std::filesystem::path path(const char *name) const
     {

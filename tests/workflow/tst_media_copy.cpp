@@ -6,6 +6,10 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <filesystem>
+#include <fstream>
+#include <future>
+#include <thread>
 
 using namespace odo;
 
@@ -84,6 +88,31 @@ private Q_SLOTS:
         made.reset();
         QVERIFY(std::filesystem::exists(source));
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
+    }
+
+    /// As a project and its media folder are renamed while a video is hashed that lies there already.
+    void theBytesOfAFileThatIsRenamedMeanwhileAreKnown()
+    {
+        const QTemporaryDir folder;
+        const std::filesystem::path media = folder.filePath(QStringLiteral("p.media")).toStdString();
+        std::filesystem::create_directory(media);
+        constexpr std::uintmax_t bytes = 400'000'000; // of a file that takes no room
+        { std::ofstream(media / "a.mkv"); }
+        std::filesystem::resize_file(media / "a.mkv", bytes);
+        auto copy = std::async(std::launch::async, [&] { return copyIntoMedia(media / "a.mkv", media, "A", {}); });
+        const auto isBeingHashed = [&] {
+            int open = 0;
+            std::error_code isGone;
+            for (const auto &each : std::filesystem::directory_iterator("/proc/self/fd"))
+                open += std::filesystem::read_symlink(each.path(), isGone) == media / "a.mkv";
+            return open > 1; // it is claimed, and read
+        };
+        while (!isBeingHashed())
+            std::this_thread::yield();
+        std::filesystem::rename(media, folder.filePath(QStringLiteral("q.media")).toStdString());
+        const auto made = copy.get();
+        QVERIFY2(made.has_value(), made ? "" : made.error().message().c_str());
+        QCOMPARE(made->bytes, std::int64_t(bytes));
     }
 
     void cancelledLeavesNothing()

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/demo.h"
 #include "core/workflow/new_project_like.h"
 
 #include "core/project/project.h"
@@ -54,6 +55,14 @@ private Q_SLOTS:
         QVERIFY(!again);
         QCOMPARE(again.error().code, ErrorCode::AlreadyExists);
         QCOMPARE((*Project::open(m_new, Project::Access::ReadOnly))->title().value(), std::string("Next year"));
+    }
+    void noNameOfAnotherProjectIsTaken()
+    {
+        const std::filesystem::path lock = m_original.string() + ".lock";
+        QCOMPARE(makeProjectLike(m_original, lock, "Next year", {}).error().code, ErrorCode::WrongCall);
+        const std::filesystem::path demo = m_original.parent_path() / (m_original.stem().string() + ".media") / "demo";
+        QCOMPARE(makeDemo(demo, {}).error().code, ErrorCode::WrongCall);
+        QVERIFY(!std::filesystem::exists(lock) && !std::filesystem::exists(demo));
     }
     void nothingHalfMadeIsLeft()
     {
