@@ -109,14 +109,6 @@ tl::unexpected<Error> refusedAs(const OutputTarget &target, const std::string &w
     return fail(ErrorCode::WrongCall, nameOf(target), why, "choose another name");
 }
 
-/// What a target is instead of a file; null where it is one.
-const char *insteadOfFile(mode_t mode)
-{
-    if (S_ISREG(mode))
-        return nullptr;
-    return S_ISDIR(mode) ? "it is a folder" : S_ISFIFO(mode) ? "it is a named pipe" : S_ISSOCK(mode) ? "it is a socket" : "it is a device";
-}
-
 /// The look at one target.
 class OutputCheck
 {
@@ -241,12 +233,9 @@ private:
 Result<OutputPlace> checkOutput(const OutputTarget &target, std::optional<FileKind> kind)
 {
     // Before links are followed one by one: those in /proc lead to what has no name.
-    struct stat status
-    {
-    };
-    if (::stat(target.file.c_str(), &status) == 0)
-        if (const char *reason = insteadOfFile(status.st_mode))
-            return refusedAs(target, reason);
+    std::error_code unknown;
+    if (const char *reason = files::insteadOfFile(files::kindOf(target.file, unknown)))
+        return refusedAs(target, reason);
     auto path = resolved(target.file);
     if (!path)
         return tl::unexpected(path.error());
