@@ -2426,16 +2426,8 @@
         <translation>请检查名称，或新建项目</translation>
     </message>
     <message>
-        <source>check the name</source>
-        <translation>请检查名称</translation>
-    </message>
-    <message>
         <source>check the name and the folder</source>
         <translation>请检查名称和文件夹</translation>
-    </message>
-    <message>
-        <source>it is a folder or a device, not a file</source>
-        <translation>是文件夹或设备，不是文件</translation>
     </message>
     <message>
         <source>it is a folder</source>
@@ -3812,18 +3804,6 @@
     <message>
         <source>check the files and the --sync offset</source>
         <translation>请检查文件和偏移</translation>
-    </message>
-    <message>
-        <source>it is not an ordinary file</source>
-        <translation>不是普通文件</translation>
-    </message>
-    <message>
-        <source>name a video file</source>
-        <translation>请指定视频文件</translation>
-    </message>
-    <message>
-        <source>name a video file in it</source>
-        <translation>请指定其中的视频文件</translation>
     </message>
     <message>
         <source>name a file</source>
@@ -6548,6 +6528,14 @@
     <message>
         <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
         <translation>请重新打开；如果当时正在录制，请查找无归属的文件（odograph check --adopt）</translation>
+    </message>
+    <message>
+        <source>a name ending in .odo is for a project</source>
+        <translation>以 .odo 结尾的名称只用于项目</translation>
+    </message>
+    <message>
+        <source>give the project a title</source>
+        <translation>请给项目起个标题</translation>
     </message>
 </context>
 <context>

@@ -19,6 +19,7 @@ namespace odo {
 namespace {
 
 constexpr std::string_view projectEnding = ".odo", mediaEnding = ".media";
+constexpr const char *namesAProject = "a name ending in .odo is for a project";
 constexpr int deepestFolder = 8; // of a media folder
 
 /// As file systems that take no notice of capitals compare it.
@@ -130,7 +131,7 @@ public:
             return refused("it is in the media folder of project '" + project.filename().string() + "'");
         OutputPlace place{m_path.real, m_exists, FileKind::Empty, m_status.st_mode & 0777U};
         if (!m_exists)
-            return place;
+            return isNamedAsProject(kind) ? refused(namesAProject) : Result<OutputPlace>(place);
         if (m_target.existing == Existing::Refuse || m_target.isOwnMedia)
             return fail(ErrorCode::AlreadyExists, what(), "it is there already", "choose another name or folder");
         if (::access(m_path.real.c_str(), W_OK) != 0) // its owner has protected it, or the disk is read-only
@@ -138,6 +139,8 @@ public:
         const auto found = existingKind();
         if (!found)
             return tl::unexpected(found.error());
+        if (isNamedAsProject(kind))
+            return refused(namesAProject);
         place.kind = *found;
         if (kind && m_target.existing == Existing::ReplaceSameKind && place.kind != FileKind::Empty && !isSameKind(place.kind, *kind))
             return fail(ErrorCode::WrongCall, what(), "a file of another kind has that name", "choose another name, or replace it with --force");
@@ -150,6 +153,12 @@ private:
     tl::unexpected<Error> cannotBeWritten(int reason) const
     {
         return fail(ErrorCode::ReadOnly, what(), std::string("it cannot be written (") + std::strerror(reason) + ")", "choose another name");
+    }
+    /// Whether the file, or a link that leads to it, would pass for a project by its name and be none.
+    bool isNamedAsProject(std::optional<FileKind> kind) const
+    {
+        const auto ends = [](const std::filesystem::path &file) { return folded(file.filename().string()).ends_with(projectEnding); };
+        return kind != FileKind::Project && (ends(m_path.real) || std::ranges::any_of(m_path.named, ends));
     }
     FileIdentity identity() const { return {m_status.st_dev, m_status.st_ino}; }
     /// Whether the file may be known by other names too.
