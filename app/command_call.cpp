@@ -10,6 +10,7 @@
 #include "core/workflow/recover_job.h"
 
 #include <QJsonDocument>
+#include <algorithm>
 #include <cstdio>
 #include <unistd.h>
 
@@ -114,15 +115,16 @@ Result<std::vector<std::pair<std::string, std::string>>> CommandCall::pairs(cons
 
 Result<std::pair<double, double>> CommandCall::sizePair(const QString &option) const
 {
+    constexpr double largestSide = 1e6;
     const std::string text = value(option);
     const auto middle = text.find('x');
     if (middle != std::string::npos) {
         const auto first = parseNumber(std::string_view(text).substr(0, middle));
         const auto second = parseNumber(std::string_view(text).substr(middle + 1));
-        if (first && second && *first > 0 && *second > 0)
+        if (first && second && *first > 0 && *second > 0 && std::max(*first, *second) <= largestSide)
             return std::pair(*first, *second);
     }
-    return wrongCall(QStringLiteral("--%1 '%2' is not of the form AxB").arg(option, m_parser.value(option)));
+    return wrongCall(QStringLiteral("--%1 '%2' is not of the form AxB, with numbers above zero, of 1,000,000 at most").arg(option, m_parser.value(option)));
 }
 
 tl::unexpected<Error> CommandCall::wrongCall(const QString &why) const

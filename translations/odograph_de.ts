@@ -2428,16 +2428,8 @@
         <translation>prüfen Sie den Namen, oder legen Sie ein neues Projekt an</translation>
     </message>
     <message>
-        <source>check the name</source>
-        <translation>prüfen Sie den Namen</translation>
-    </message>
-    <message>
         <source>check the name and the folder</source>
         <translation>prüfen Sie Name und Ordner</translation>
-    </message>
-    <message>
-        <source>it is a folder or a device, not a file</source>
-        <translation>es ist ein Ordner oder ein Gerät, keine Datei</translation>
     </message>
     <message>
         <source>it is a folder</source>
@@ -3814,18 +3806,6 @@
     <message>
         <source>check the files and the --sync offset</source>
         <translation>prüfen Sie die Dateien und den Versatz</translation>
-    </message>
-    <message>
-        <source>it is not an ordinary file</source>
-        <translation>es ist keine gewöhnliche Datei</translation>
-    </message>
-    <message>
-        <source>name a video file</source>
-        <translation>nennen Sie eine Videodatei</translation>
-    </message>
-    <message>
-        <source>name a video file in it</source>
-        <translation>nennen Sie eine Videodatei darin</translation>
     </message>
     <message>
         <source>name a file</source>
@@ -6562,6 +6542,14 @@
     <message>
         <source>Odograph uses such names for temporary files</source>
         <translation>Odograph verwendet solche Namen für temporäre Dateien</translation>
+    </message>
+    <message>
+        <source>a name ending in .odo is for a project</source>
+        <translation>ein Name, der auf .odo endet, ist für ein Projekt</translation>
+    </message>
+    <message>
+        <source>give the project a title</source>
+        <translation>geben Sie dem Projekt einen Titel</translation>
     </message>
     <message>
         <source>put it back in its place and try again</source>

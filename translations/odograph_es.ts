@@ -2428,16 +2428,8 @@
         <translation>compruebe el nombre, o cree un proyecto nuevo</translation>
     </message>
     <message>
-        <source>check the name</source>
-        <translation>compruebe el nombre</translation>
-    </message>
-    <message>
         <source>check the name and the folder</source>
         <translation>compruebe el nombre y la carpeta</translation>
-    </message>
-    <message>
-        <source>it is a folder or a device, not a file</source>
-        <translation>es una carpeta o un dispositivo, no un archivo</translation>
     </message>
     <message>
         <source>it is a folder</source>
@@ -3814,18 +3806,6 @@
     <message>
         <source>check the files and the --sync offset</source>
         <translation>compruebe los archivos y el desfase</translation>
-    </message>
-    <message>
-        <source>it is not an ordinary file</source>
-        <translation>no es un archivo ordinario</translation>
-    </message>
-    <message>
-        <source>name a video file</source>
-        <translation>indique un archivo de video</translation>
-    </message>
-    <message>
-        <source>name a video file in it</source>
-        <translation>indique un archivo de video que esté en ella</translation>
     </message>
     <message>
         <source>name a file</source>
@@ -6562,6 +6542,14 @@
     <message>
         <source>Odograph uses such names for temporary files</source>
         <translation>Odograph usa esos nombres para archivos temporales</translation>
+    </message>
+    <message>
+        <source>a name ending in .odo is for a project</source>
+        <translation>un nombre que termina en .odo es para un proyecto</translation>
+    </message>
+    <message>
+        <source>give the project a title</source>
+        <translation>dé un título al proyecto</translation>
     </message>
     <message>
         <source>put it back in its place and try again</source>

@@ -2428,16 +2428,8 @@
         <translation>vérifiez le nom, ou créez un nouveau projet</translation>
     </message>
     <message>
-        <source>check the name</source>
-        <translation>vérifiez le nom</translation>
-    </message>
-    <message>
         <source>check the name and the folder</source>
         <translation>vérifiez le nom et le dossier</translation>
-    </message>
-    <message>
-        <source>it is a folder or a device, not a file</source>
-        <translation>c’est un dossier ou un périphérique, pas un fichier</translation>
     </message>
     <message>
         <source>it is a folder</source>
@@ -3814,18 +3806,6 @@
     <message>
         <source>check the files and the --sync offset</source>
         <translation>vérifiez les fichiers et le décalage</translation>
-    </message>
-    <message>
-        <source>it is not an ordinary file</source>
-        <translation>ce n’est pas un fichier ordinaire</translation>
-    </message>
-    <message>
-        <source>name a video file</source>
-        <translation>nommez un fichier vidéo</translation>
-    </message>
-    <message>
-        <source>name a video file in it</source>
-        <translation>nommez un fichier vidéo qui s’y trouve</translation>
     </message>
     <message>
         <source>name a file</source>
@@ -6562,6 +6542,14 @@
     <message>
         <source>Odograph uses such names for temporary files</source>
         <translation>Odograph utilise de tels noms pour ses fichiers temporaires</translation>
+    </message>
+    <message>
+        <source>a name ending in .odo is for a project</source>
+        <translation>un nom qui se termine par .odo est réservé à un projet</translation>
+    </message>
+    <message>
+        <source>give the project a title</source>
+        <translation>donnez un titre au projet</translation>
     </message>
     <message>
         <source>put it back in its place and try again</source>

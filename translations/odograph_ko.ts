@@ -2426,16 +2426,8 @@
         <translation>이름을 확인하거나 새 프로젝트를 만드십시오</translation>
     </message>
     <message>
-        <source>check the name</source>
-        <translation>이름을 확인하십시오</translation>
-    </message>
-    <message>
         <source>check the name and the folder</source>
         <translation>이름과 폴더를 확인하십시오</translation>
-    </message>
-    <message>
-        <source>it is a folder or a device, not a file</source>
-        <translation>파일이 아니라 폴더나 장치입니다</translation>
     </message>
     <message>
         <source>it is a folder</source>
@@ -3812,18 +3804,6 @@
     <message>
         <source>check the files and the --sync offset</source>
         <translation>파일과 오프셋을 확인하십시오</translation>
-    </message>
-    <message>
-        <source>it is not an ordinary file</source>
-        <translation>일반 파일이 아닙니다</translation>
-    </message>
-    <message>
-        <source>name a video file</source>
-        <translation>동영상 파일을 지정하십시오</translation>
-    </message>
-    <message>
-        <source>name a video file in it</source>
-        <translation>그 안의 동영상 파일을 지정하십시오</translation>
     </message>
     <message>
         <source>name a file</source>
@@ -6560,6 +6540,14 @@
     <message>
         <source>Odograph uses such names for temporary files</source>
         <translation>Odograph가 임시 파일에 쓰는 이름입니다</translation>
+    </message>
+    <message>
+        <source>a name ending in .odo is for a project</source>
+        <translation>.odo로 끝나는 이름은 프로젝트용입니다</translation>
+    </message>
+    <message>
+        <source>give the project a title</source>
+        <translation>프로젝트에 제목을 붙이십시오</translation>
     </message>
     <message>
         <source>put it back in its place and try again</source>

@@ -2426,16 +2426,8 @@
         <translation>请检查名称，或新建项目</translation>
     </message>
     <message>
-        <source>check the name</source>
-        <translation>请检查名称</translation>
-    </message>
-    <message>
         <source>check the name and the folder</source>
         <translation>请检查名称和文件夹</translation>
-    </message>
-    <message>
-        <source>it is a folder or a device, not a file</source>
-        <translation>是文件夹或设备，不是文件</translation>
     </message>
     <message>
         <source>it is a folder</source>
@@ -3812,18 +3804,6 @@
     <message>
         <source>check the files and the --sync offset</source>
         <translation>请检查文件和偏移</translation>
-    </message>
-    <message>
-        <source>it is not an ordinary file</source>
-        <translation>不是普通文件</translation>
-    </message>
-    <message>
-        <source>name a video file</source>
-        <translation>请指定视频文件</translation>
-    </message>
-    <message>
-        <source>name a video file in it</source>
-        <translation>请指定其中的视频文件</translation>
     </message>
     <message>
         <source>name a file</source>
@@ -6560,6 +6540,14 @@
     <message>
         <source>Odograph uses such names for temporary files</source>
         <translation>Odograph 将此类名称用于临时文件</translation>
+    </message>
+    <message>
+        <source>a name ending in .odo is for a project</source>
+        <translation>以 .odo 结尾的名称只用于项目</translation>
+    </message>
+    <message>
+        <source>give the project a title</source>
+        <translation>请给项目起个标题</translation>
     </message>
     <message>
         <source>put it back in its place and try again</source>

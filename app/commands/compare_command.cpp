@@ -4,6 +4,7 @@
 #include "app/option_names.h"
 #include "app/output_option.h"
 #include "app/report_options.h"
+#include "core/project/limits.h"
 #include "core/workflow/compare_trials.h"
 #include "core/workflow/track_warnings.h"
 #include "ui/report/pdf_file.h"
@@ -11,6 +12,7 @@
 
 #include <QCoreApplication>
 #include <QJsonArray>
+#include <cmath>
 
 namespace odo {
 
@@ -32,6 +34,8 @@ Result<void> readAlignment(const CommandCall &call, CompareSettings &settings, d
     if (!seconds)
         return call.wrongCall(
             QStringLiteral("--align is auto, start_gate, motion_onset, distance or a number of seconds"));
+    if (std::abs(*seconds) > largestOffsetS)
+        return call.wrongCall(QStringLiteral("--align takes seconds from -3600 to 3600"));
     settings.alignBy = AlignBy::ByHand;
     laterS = *seconds;
     return {};

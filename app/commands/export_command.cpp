@@ -12,6 +12,9 @@
 #include "core/workflow/imported_tracks.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 
 namespace odo {
 
@@ -61,6 +64,15 @@ Result<WriteText> fileText(const CommandCall &call, const std::string &formatNam
     return [&analysis, style = *style](const TextSink &sink) { return writeTrackCsv(analysis, style, sink); };
 }
 
+constexpr const char *standardOutput = "-"; // in place of a file
+
+Result<void> print(std::string_view piece)
+{
+    if (std::fwrite(piece.data(), 1, piece.size(), stdout) == piece.size())
+        return {};
+    return fail(ErrorCode::Io, "standard output", std::string("it cannot be written (") + std::strerror(errno) + ")", "give it to a program or a file that takes all of it");
+}
+
 } // namespace
 
 Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
@@ -70,7 +82,7 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
                                      "[--csv-style analysis|international|continental] "
                                      "[--speed 0.25] [--size 1920x1080] [--theme light|dark]"),
                       2, 2,
-                      outputOptions(QStringLiteral("The file to write.")) + QList<QCommandLineOption>{
+                      outputOptions(QStringLiteral("The file to write; - is standard output.")) + QList<QCommandLineOption>{
                        {option::robot, QStringLiteral("The robot, where there are several."), QStringLiteral("R")},
                        {option::format, QStringLiteral("Of the file."), QStringLiteral("FORMAT"), QStringLiteral("csv")},
                        {option::csvStyle, QStringLiteral("For which program."), QStringLiteral("STYLE"), QStringLiteral("analysis")}} +
@@ -84,12 +96,17 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
     const std::string formatName = call.value(option::format);
     if (std::find(formats.begin(), formats.end(), formatName) == formats.end())
         return call.wrongCall(QStringLiteral("--format is csv, tum, json, tracker or video"));
+    const bool isPrinted = call.value(option::output) == standardOutput;
+    if (isPrinted && formatName == "video")
+        return call.wrongCall(QStringLiteral("a video needs a file, not standard output"));
+    if (isPrinted && call.json())
+        return call.wrongCall(QStringLiteral("-o - and --json would both write to standard output"));
     if (formatName == "video")
         return exportVideo(call, call.value(option::output));
     const auto project = call.openProject(0, Project::Access::ReadOnly);
     if (!project)
         return tl::unexpected(project.error());
-    const auto target = outputOf(call, call.value(option::output), std::nullopt, project->get()); // the text tells its kind
+    const auto target = isPrinted ? Result<OutputTarget>() : outputOf(call, call.value(option::output), std::nullopt, project->get()); // the text tells its kind
     if (!target)
         return tl::unexpected(target.error());
     const auto trial = (*project)->trials().find(call.text(1));
@@ -110,6 +127,8 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
     const WriteText untilCancelled = [&](const TextSink &sink) {
         return (*text)([&](std::string_view piece) { return cancel.isCancelled() ? Result<void>(cancelled("export of trial '" + trial->name + "'")) : sink(piece); });
     };
+    if (isPrinted)
+        return untilCancelled(print);
     if (auto written = writeOutput(*target, untilCancelled); !written)
         return written;
     const QString file = QString::fromStdString(call.value(option::output));

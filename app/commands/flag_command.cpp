@@ -25,6 +25,8 @@ Result<OverruleRequest> requestOf(const CommandCall &call)
     const auto number = call.number(call.isSet(option::time) ? option::time : option::frame);
     if (!number)
         return tl::unexpected(number.error());
+    if (call.isSet(option::time) && std::abs(*number) > 1e9)
+        return call.wrongCall(QStringLiteral("--time takes seconds from -1,000,000,000 to 1,000,000,000"));
     if (call.isSet(option::time))
         request.timeS = *number;
     else if (*number != std::floor(*number) || std::abs(*number) > 1e9)

@@ -9,6 +9,8 @@
 #include "core/project/repositories.h"
 #include "core/workflow/import_trial_job.h"
 
+#include <cmath>
+
 namespace odo {
 
 namespace {
@@ -34,6 +36,8 @@ Result<ImportSettings> importSettings(const CommandCall &call)
         if (!offset)
             return call.wrongCall(
                 QStringLiteral("--sync is auto, none or seconds, one of them for each view but the first"));
+        if (std::abs(*offset) > largestOffsetS)
+            return call.wrongCall(QStringLiteral("--sync takes seconds from -3600 to 3600"));
         settings.steps.push_back({ImportSettings::Sync::Told, *offset});
     }
     settings.team = call.value(option::team);

@@ -11,6 +11,8 @@
 #include "core/workflow/layout_axes.h"
 #include "core/workflow/stored_registration.h"
 
+#include <cmath>
+
 namespace odo {
 
 namespace {
@@ -154,6 +156,8 @@ Result<AxesChange> changeOf(const CommandCall &call)
         const auto degrees = call.number(option::turn);
         if (!degrees)
             return tl::unexpected(degrees.error());
+        if (std::abs(*degrees) > 360)
+            return call.wrongCall(QStringLiteral("--turn takes degrees from -360 to 360"));
         change.turnDegrees = *degrees;
     }
     if (call.isSet(option::xAxis)) {

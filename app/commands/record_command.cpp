@@ -43,8 +43,8 @@ Result<RecordSettings> recordSettings(const CommandCall &call)
     settings.robots = call.texts(option::robot);
     if (call.isSet(option::seconds)) {
         const auto number = call.number(option::seconds);
-        if (!number || *number <= 0)
-            return call.wrongCall(QStringLiteral("--seconds is a number above zero"));
+        if (!number || *number <= 0 || *number > longestRecordingS)
+            return call.wrongCall(QStringLiteral("--seconds is a number above zero, of 86,400 (a day) at most"));
         settings.seconds = *number;
     }
     if (call.isSet(option::sslVision)) {
@@ -55,8 +55,8 @@ Result<RecordSettings> recordSettings(const CommandCall &call)
     }
     if (call.isSet(option::preRoll)) {
         const auto number = call.number(option::preRoll);
-        if (!number || *number < 0)
-            return call.wrongCall(QStringLiteral("--pre-roll is a number of seconds"));
+        if (!number || *number < 0 || *number > longestPreRollS)
+            return call.wrongCall(QStringLiteral("--pre-roll is a number of seconds from 0 to 10"));
         settings.preRollS = *number;
     }
     return settings;

@@ -28,8 +28,12 @@ Kind kindOfStatus(const fs::file_status &status)
         return Kind::Folder;
     case fs::file_type::symlink:
         return Kind::Link;
+    case fs::file_type::fifo:
+        return Kind::Pipe;
+    case fs::file_type::socket:
+        return Kind::Socket;
     default:
-        return Kind::Other;
+        return Kind::Device;
     }
 }
 
@@ -59,6 +63,25 @@ Kind kindOfItself(const fs::path &path)
 {
     std::error_code unknown;
     return kindOfStatus(answer(unknown, [&](std::error_code &code) { return fs::symlink_status(path, code); }));
+}
+
+const char *insteadOfFile(Kind kind)
+{
+    switch (kind) {
+    case Kind::Missing:
+    case Kind::File:
+    case Kind::Link:
+        return nullptr;
+    case Kind::Folder:
+        return "it is a folder";
+    case Kind::Pipe:
+        return "it is a named pipe";
+    case Kind::Socket:
+        return "it is a socket";
+    case Kind::Device:
+        break;
+    }
+    return "it is a device";
 }
 
 bool exists(const fs::path &path)

@@ -14,12 +14,14 @@
 /// tests/base/tst_file_system_calls refuses calls of std::filesystem anywhere else.
 namespace odo::files {
 
-enum class Kind { Missing, File, Folder, Link, Other };
+enum class Kind { Missing, File, Folder, Link, Pipe, Socket, Device };
 
 /// What is there, through links. Missing with a problem: it cannot be looked at.
 Kind kindOf(const std::filesystem::path &path, std::error_code &problem);
 /// What is there itself: a link is a Link. Missing where it cannot be looked at.
 Kind kindOfItself(const std::filesystem::path &path);
+/// For messages, what is there in place of a file: "it is a named pipe". Null for a file, a link and nothing.
+const char *insteadOfFile(Kind kind);
 
 /// Through links; false where it cannot be looked at.
 bool exists(const std::filesystem::path &path);

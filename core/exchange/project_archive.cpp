@@ -139,6 +139,8 @@ public:
         if (files::exists(m_folder))
             return fail(ErrorCode::AlreadyExists, "unpack into '" + m_folder.string() + "'",
                         "it is there already", "choose a folder that is not there yet");
+        if (auto may = checkMayBeRead(m_file, "unpack '" + m_file.string() + "'"); !may)
+            return may;
         archive_read_support_format_zip(m_archive);
         if (archive_read_open_filename(m_archive, m_file.c_str(), blockBytes) != ARCHIVE_OK)
             return refuse(problemOf(m_archive));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/text_file.h"
 
-#include "core/base/file_system.h"
 #include "core/files/protected_files.h"
 
 #include <QFile>
@@ -49,16 +48,11 @@ Result<TextFile> TextFile::open(const std::filesystem::path &file, std::size_t m
     auto impl = std::make_unique<Impl>();
     impl->what = "file '" + file.string() + "'";
     impl->maxBytes = maxBytes;
-    if (files::isFolder(file))
-        return fail(ErrorCode::InvalidInput, impl->what, "it is a folder", "name a file");
     if (auto may = checkMayBeRead(file, impl->what); !may)
         return tl::unexpected(may.error());
     impl->input.setFileName(QString::fromStdString(file.string()));
-    if (!impl->input.open(QIODevice::ReadOnly)) {
-        if (!impl->input.exists())
-            return fail(ErrorCode::NotFound, impl->what, "there is no such file", "check the name");
+    if (!impl->input.open(QIODevice::ReadOnly))
         return fail(ErrorCode::Io, impl->what, "it cannot be read (" + impl->input.errorString().toStdString() + ")", "check that you may read the file");
-    }
     if (static_cast<std::size_t>(impl->input.size()) > maxBytes)
         return impl->tooLarge();
     return TextFile(std::move(impl));
@@ -72,7 +66,7 @@ Result<std::string> TextFile::read()
         return tl::unexpected(text.error());
     const bool isFirst = m_impl->count == 0;
     m_impl->count += static_cast<std::size_t>(block.size());
-    if (m_impl->count > m_impl->maxBytes) // where no size is known
+    if (m_impl->count > m_impl->maxBytes) // it has grown, or its size is not known (/proc)
         return m_impl->tooLarge();
     if (isFirst && block.startsWith("\xef\xbb\xbf"))
         block.remove(0, 3);

@@ -17,7 +17,7 @@ std::string atLine(const std::filesystem::path &file, int line);
 class TextFile
 {
 public:
-    /// Refuses, naming the file: missing, a folder, larger than the limit, no right to read it.
+    /// Refuses, naming the file: what checkMayBeRead() refuses, and what is larger than the limit.
     static Result<TextFile> open(const std::filesystem::path &file, std::size_t maxBytes);
     ~TextFile();
     TextFile(TextFile &&) noexcept;
@@ -25,7 +25,7 @@ public:
     /// it) and bytes that are no text.
     Result<std::string> read();
     std::string lineName(int line) const; ///< atLine
-    std::size_t size() const; ///< bytes, as far as known; 0 of what is no ordinary file
+    std::size_t size() const; ///< bytes, as far as known
 
 private:
     struct Impl;
@@ -34,7 +34,7 @@ private:
 };
 
 /// Reads a whole text file as UTF-8; a byte order mark is dropped. Any thread. Refuses, naming the file:
-/// missing, larger than the limit, UTF-16 (with the advice how to save it), bytes that are no text.
+/// no file, larger than the limit, UTF-16 (with the advice how to save it), bytes that are no text.
 Result<std::string> readTextFile(const std::filesystem::path &file, std::size_t maxBytes = 1 << 20);
 
 /// The shortest decimal text that reads back as the same number, with '.', without exponent, whatever the

@@ -20,6 +20,7 @@ namespace odo {
 namespace {
 
 constexpr std::string_view projectEnding = ".odo", mediaEnding = ".media";
+constexpr const char *namesAProject = "a name ending in .odo is for a project";
 constexpr int deepestFolder = 8; // of a media folder
 
 /// As file systems that take no notice of capitals compare it.
@@ -143,14 +144,6 @@ tl::unexpected<Error> refusedAs(const OutputTarget &target, const std::string &w
     return fail(ErrorCode::WrongCall, nameOf(target), why, "choose another name");
 }
 
-/// What a target is instead of a file; null where it is one.
-const char *insteadOfFile(mode_t mode)
-{
-    if (S_ISREG(mode))
-        return nullptr;
-    return S_ISDIR(mode) ? "it is a folder" : S_ISFIFO(mode) ? "it is a named pipe" : S_ISSOCK(mode) ? "it is a socket" : "it is a device";
-}
-
 /// The look at one target.
 class OutputCheck
 {
@@ -174,7 +167,7 @@ public:
             return refused("it is in a media folder beside a project");
         OutputPlace place{m_path.real, m_exists, FileKind::Empty, m_status.st_mode & 0777U};
         if (!m_exists)
-            return place;
+            return isNamedAsProject(kind) ? refused(namesAProject) : Result<OutputPlace>(place);
         if (m_target.existing == Existing::Refuse || m_target.isOwnMedia)
             return fail(ErrorCode::AlreadyExists, what(), "it is there already", "choose another name or folder");
         if (::access(m_path.real.c_str(), W_OK) != 0) // its owner has protected it, or the disk is read-only
@@ -182,6 +175,8 @@ public:
         const auto found = existingKind();
         if (!found)
             return tl::unexpected(found.error());
+        if (isNamedAsProject(kind))
+            return refused(namesAProject);
         place.kind = *found;
         if (kind && m_target.existing == Existing::ReplaceSameKind && place.kind != FileKind::Empty && !isSameKind(place.kind, *kind))
             return fail(ErrorCode::WrongCall, what(), "a file of another kind has that name", "choose another name, or replace it with --force");
@@ -203,6 +198,12 @@ private:
     tl::unexpected<Error> cannotBeWritten(int reason) const
     {
         return fail(ErrorCode::ReadOnly, what(), std::string("it cannot be written (") + std::strerror(reason) + ")", "choose another name");
+    }
+    /// Whether the file, or a link that leads to it, would pass for a project by its name and be none.
+    bool isNamedAsProject(std::optional<FileKind> kind) const
+    {
+        const auto ends = [](const std::filesystem::path &file) { return folded(file.filename().string()).ends_with(projectEnding); };
+        return kind != FileKind::Project && (ends(m_path.real) || std::ranges::any_of(m_path.named, ends));
     }
     FileIdentity identity() const { return {m_status.st_dev, m_status.st_ino}; }
     /// Whether the file may be known by other names too.
@@ -311,12 +312,9 @@ private:
 Result<OutputPlace> checkOutput(const OutputTarget &target, std::optional<FileKind> kind)
 {
     // Before links are followed one by one: those in /proc lead to what has no name.
-    struct stat status
-    {
-    };
-    if (::stat(target.file.c_str(), &status) == 0)
-        if (const char *reason = insteadOfFile(status.st_mode))
-            return refusedAs(target, reason);
+    std::error_code unknown;
+    if (const char *reason = files::insteadOfFile(files::kindOf(target.file, unknown)))
+        return refusedAs(target, reason);
     auto path = resolved(target.file);
     if (!path)
         return tl::unexpected(path.error());

@@ -43,7 +43,7 @@ struct OutputPlace
 
 /// Looks whether an output may be written. What must never be lost is refused (WrongCall), whatever is said about existing files, through
 /// links and under all of its names: projects that this process has open, other projects and databases, their logs, locks and backups, whatever is in
-/// a project's media folder, inputs (InputFiles), folders, devices and the like. Other errors: AlreadyExists, NotFound (no such folder), ReadOnly, Io.
+/// a project's media folder, inputs (InputFiles), folders, devices and the like, and names that end in .odo for what is no project. Other errors: AlreadyExists, NotFound (no such folder), ReadOnly, Io.
 /// kind: of what is written; nothing: not known yet, so the kind of an existing file doesn't count. Any thread; reads at most kindBytes.
 Result<OutputPlace> checkOutput(const OutputTarget &target, std::optional<FileKind> kind);
 

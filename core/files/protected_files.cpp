@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace odo {
 
@@ -59,6 +62,17 @@ OpenProjectFile::~OpenProjectFile()
 
 Result<void> checkMayBeRead(const std::filesystem::path &file, const std::string &what)
 {
+    constexpr const char *rights = "check that you may read the file";
+    std::error_code problem;
+    const files::Kind kind = files::kindOf(file, problem);
+    if (problem)
+        return fail(ErrorCode::Io, what, "it cannot be looked at (" + problem.message() + ")", rights);
+    if (kind == files::Kind::Missing)
+        return fail(ErrorCode::NotFound, what, "there is no such file", "check the name and the folder");
+    if (const char *reason = files::insteadOfFile(kind))
+        return fail(ErrorCode::InvalidInput, what, reason, "name a file");
+    if (::access(file.c_str(), R_OK) != 0)
+        return fail(ErrorCode::Io, what, std::string("it cannot be read (") + std::strerror(errno) + ")", rights);
     const auto identity = identityOf(file);
     if (identity && ProtectedFiles().isPartOfOpenProject(*identity))
         return fail(ErrorCode::InvalidInput, what, "it is a project that is open here", "choose another file");

@@ -44,9 +44,10 @@ private:
     std::list<ProtectedFile>::iterator m_entry;
 };
 
-/// Asked before a file that a person or a project names is opened to be read: InvalidInput where it is a project that this process has
-/// open, or what SQLite keeps beside it. what: for the message. (To close a descriptor of a file drops all locks of the process on it,
-/// SQLite's too: POSIX, fcntl(2).) Any thread.
+/// Asked before a file that a person or a project names is opened to be read. what: for the message. Errors: NotFound; Io where it may not be
+/// read; InvalidInput where it is a folder, a pipe, a socket or a device, for which a reader could wait for ever, or a project that this process
+/// has open, or what SQLite keeps beside it. (To close a descriptor of a file drops all locks of the process on it, SQLite's too: POSIX,
+/// fcntl(2).) Doesn't open it. Any thread.
 Result<void> checkMayBeRead(const std::filesystem::path &file, const std::string &what);
 
 /// As long as it lives, files count as inputs: what is made of them must not take their place. One thread; the list is shared by all.

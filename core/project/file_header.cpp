@@ -96,9 +96,8 @@ Result<void> checkIsFile(const std::filesystem::path &file)
         return fail(ErrorCode::Io, nameOf(file), "it cannot be looked at (" + problem.message() + ")", "check that you may read the file");
     if (kind == files::Kind::Missing)
         return fail(ErrorCode::NotFound, nameOf(file), "there is no such file", "check the name, or make a new project");
-    if (kind != files::Kind::File)
-        return fail(ErrorCode::InvalidInput, nameOf(file), "it is a folder or a device, not a file",
-                    "choose a file that Odograph has written");
+    if (const char *reason = files::insteadOfFile(kind))
+        return fail(ErrorCode::InvalidInput, nameOf(file), reason, "choose a file that Odograph has written");
     return {};
 }
 

@@ -18,7 +18,7 @@ constexpr TextColumn texts[] = {
     {"trial", "name", maxNameLength},       {"team", "name", maxNameLength},   {"class", "name", maxNameLength}, {"robot", "name", maxNameLength},
     {"camera", "name", maxNameLength},      {"layout", "name", maxNameLength}, {"task", "name", maxNameLength},  {"marker", "label", maxNameLength},
     {"gate", "name", maxNameLength},        {"zone", "name", maxNameLength},   {"trial_tag", "tag", maxNameLength},
-    {"team_member", "name", maxNameLength}, {"trial", "notes", maxTextLength}, {"property", "value", maxTextLength}};
+    {"team_member", "name", maxNameLength}, {"trial", "notes", maxTextLength}, {"property", "value", maxNameLength}};
 
 struct NumberColumn
 {

@@ -23,5 +23,7 @@ constexpr std::size_t mostMarkers = 1000;                             ///< of a 
 constexpr int largestRobotM = 10;
 /// Frames a second that a camera may be said to have taken.
 constexpr double lowestFrameRate = 0.1, highestFrameRate = 100'000;
+/// How much later, or earlier, a view or a run may be said to have begun than another.
+constexpr double largestOffsetS = 3600;
 
 } // namespace odo

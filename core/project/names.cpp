@@ -49,18 +49,11 @@ bool hasOtherForms(const std::string &name)
     return std::ranges::any_of(name, [](char c) { return static_cast<unsigned char>(c) >= 0x80 || c == '\\'; });
 }
 
-} // namespace
-
-std::string normalName(const std::string &name)
-{
-    const std::optional<QString> text = decode(name);
-    return text ? normal(*text).toStdString() : name; // which checkName refuses
-}
-
-Result<void> checkName(const std::string &kind, const std::string &name)
+/// what, ifEmpty: for the message.
+Result<void> checkNamed(const std::string &what, const std::string &name, const std::string &ifEmpty)
 {
     const auto refuse = [&](const std::string &why, const std::string &advice) {
-        return fail(ErrorCode::InvalidInput, "name of a " + kind, why, advice);
+        return fail(ErrorCode::InvalidInput, what, why, advice);
     };
     const std::optional<QString> text = decode(name);
     if (!text)
@@ -75,8 +68,55 @@ Result<void> checkName(const std::string &kind, const std::string &name)
         return refuse("it holds an invisible character, " + QStringLiteral("U+%1").arg(*hidden, 4, 16, QLatin1Char('0')).toUpper().toStdString(),
                       "type the name anew");
     if (std::ranges::none_of(characters, isSeen))
-        return refuse("it is empty", "give the " + kind + " a name");
+        return refuse("it is empty", ifEmpty);
     return {};
+}
+
+} // namespace
+
+std::string normalName(const std::string &name)
+{
+    const std::optional<QString> text = decode(name);
+    return text ? normal(*text).toStdString() : name; // which checkName refuses
+}
+
+Result<void> checkName(const std::string &kind, const std::string &name)
+{
+    return checkNamed("name of a " + kind, name, "give the " + kind + " a name");
+}
+
+Result<void> checkTitle(const std::string &title)
+{
+    return checkNamed("title of the project", title, "give the project a title");
+}
+
+std::string titleFromName(const std::filesystem::path &file)
+{
+    // What is not UTF-8 is shown as its bytes.
+    for (const std::string &name : {file.stem().string(), file.filename().string()})
+        if (const std::string title = normalName(shownName(QString::fromStdString(plainLine(name)))); checkTitle(title))
+            return title;
+    return "Odograph";
+}
+
+QString firstCharacters(const QString &text, int most)
+{
+    qsizetype cut = 0, at = 0;
+    for (int characters = 0; at < text.size(); ++characters) {
+        if (characters == most)
+            return text.first(cut) + u'…';
+        if (characters < most)
+            cut = at;
+        at += text.at(at).isHighSurrogate() && at + 1 < text.size() ? 2 : 1;
+    }
+    return text;
+}
+
+std::string shownName(const QString &stored)
+{
+    // An escaped character is at most eight long, and takes the place of one: no more than this can be shown of it.
+    const QString begin = firstCharacters(stored, maxNameLength + 1);
+    return firstCharacters(QString::fromStdString(plainLine(begin.toStdString())), maxNameLength).toStdString();
 }
 
 Result<void> checkText(const std::string &kind, const std::string &text)

@@ -5,6 +5,8 @@
 #include "core/project/limits.h"
 #include "core/project/records.h"
 
+#include <QString>
+#include <filesystem>
 #include <string>
 
 namespace odo {
@@ -17,6 +19,18 @@ std::string normalName(const std::string &name);
 /// A name as people may give it to a camera, robot, team, trial…: UTF-8, something to be seen, at most 200 characters,
 /// no control, invisible or directional characters or line breaks. `kind` is the word for messages ("robot").
 Result<void> checkName(const std::string &kind, const std::string &name);
+
+/// A project's title as people may give it: as a name.
+Result<void> checkTitle(const std::string &title);
+
+/// The title of a project that nobody gave one: what its file is called, as a name.
+std::string titleFromName(const std::filesystem::path &file);
+
+/// With … in place of the rest of a longer text.
+QString firstCharacters(const QString &text, int most);
+
+/// A stored name as it is shown: of one line, with what is hidden in it made visible, and … in place of what is too long.
+std::string shownName(const QString &stored);
 
 /// A text that may be empty and of several lines: UTF-8 and at most 20,000 characters.
 Result<void> checkText(const std::string &kind, const std::string &text);

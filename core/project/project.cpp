@@ -47,7 +47,7 @@ Result<void> makeDatabase(const std::filesystem::path &file, const std::string &
     const Migrator &migrator = projectMigrator();
     if (auto made = migrator.create(**connection, migrator.newestVersion()); !made)
         return made;
-    return setProperty(**connection, "title", title);
+    return setProperty(**connection, "title", normalName(title));
 }
 
 } // namespace
@@ -87,7 +87,7 @@ Project::~Project()
 Result<std::unique_ptr<Project>> Project::create(const std::filesystem::path &file, const std::string &title)
 {
     const std::string what = "project '" + file.string() + "'";
-    if (auto valid = checkText("title of the project", title); !valid)
+    if (auto valid = checkTitle(title); !valid)
         return tl::unexpected(valid.error());
     if (auto may = checkNewProject(file, what); !may)
         return tl::unexpected(may.error());
@@ -216,14 +216,15 @@ Result<std::string> Project::title() const
     const auto found = select.firstRow();
     if (!found)
         return tl::unexpected(found.error());
-    return *found ? select.text(0) : std::string();
+    const std::string title = *found ? select.name(0) : std::string();
+    return normalName(title).empty() ? titleFromName(file()) : title; // another program, or an older one, gave it none
 }
 
 Result<void> Project::setTitle(const std::string &title)
 {
-    if (auto valid = checkText("title of the project", title); !valid)
+    if (auto valid = checkTitle(title); !valid)
         return valid;
-    return transact(*m_impl->connection, [&] { return setProperty(*m_impl->connection, "title", title); });
+    return transact(*m_impl->connection, [&] { return setProperty(*m_impl->connection, "title", normalName(title)); });
 }
 
 CameraRepository &Project::cameras()

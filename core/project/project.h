@@ -47,8 +47,8 @@ class Project
 public:
     enum class Access { ReadWrite, ReadOnly };
 
-    /// Makes a new file with the current schema. AlreadyExists where a file of that name is; nothing is left behind on
-    /// failure.
+    /// Makes a new file with the current schema. AlreadyExists where a file of that name is; InvalidInput for a title that checkTitle()
+    /// refuses; nothing is left behind on failure.
     static Result<std::unique_ptr<Project>> create(const std::filesystem::path &file, const std::string &title);
     /// Opens a file; older schemas are migrated after a verified backup ("<name>.odo.bak-<version>"), before it is
     /// opened for reading as well. Errors: missing, not a project, corrupt, newer (NewerFormat), no write access, or of
@@ -72,7 +72,9 @@ public:
     /// Absolute path of a recording.
     std::filesystem::path resolve(const RecordingRecord &recording) const;
 
+    /// As a name is shown; of one without a title what its file is called.
     Result<std::string> title() const;
+    /// As create(): the title must be one that checkTitle() allows.
     Result<void> setTitle(const std::string &title);
 
     CameraRepository &cameras();

@@ -224,8 +224,7 @@ Result<std::string> fileSha256(const std::filesystem::path &file, const JobContr
         return tl::unexpected(may.error());
     QFile input(QString::fromStdString(file.string()));
     if (!input.open(QIODevice::ReadOnly))
-        return fail(input.exists() ? ErrorCode::Io : ErrorCode::NotFound, what,
-                    "it cannot be read (" + input.errorString().toStdString() + ")",
+        return fail(ErrorCode::Io, what, "it cannot be read (" + input.errorString().toStdString() + ")",
                     "check that the file is there and may be read");
     Sha256 hash;
     QByteArray block(1 << 20, Qt::Uninitialized);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Statement and Transaction, which belong to a ProjectConnection.
-#include "core/base/plain_text.h"
 #include "core/project/connection.h"
 #include "core/project/names.h"
 #include "core/project/sqlite_refusal.h"
@@ -12,24 +11,6 @@
 #include <sqlite3.h>
 
 namespace odo {
-
-namespace {
-
-/// With … in place of the rest of a longer text.
-QString firstCharacters(const QString &text, int most)
-{
-    qsizetype cut = 0, at = 0;
-    for (int characters = 0; at < text.size(); ++characters) {
-        if (characters == most)
-            return text.first(cut) + u'…';
-        if (characters < most)
-            cut = at;
-        at += text.at(at).isHighSurrogate() && at + 1 < text.size() ? 2 : 1;
-    }
-    return text;
-}
-
-} // namespace
 
 Statement::Statement(const ProjectConnection &connection, const QString &sql)
     : m_connection(connection), m_query(connection.database()), m_prepared(m_query.prepare(sql))
@@ -178,9 +159,7 @@ std::string Statement::text(int column) const
 }
 std::string Statement::name(int column) const
 {
-    // An escaped character is at most eight long, and takes the place of one: no more than this can be shown of it.
-    const QString begin = firstCharacters(m_query.value(column).toString(), maxNameLength + 1);
-    return firstCharacters(QString::fromStdString(plainLine(begin.toStdString())), maxNameLength).toStdString();
+    return shownName(m_query.value(column).toString());
 }
 QByteArray Statement::blob(int column) const
 {

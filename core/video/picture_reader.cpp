@@ -34,18 +34,9 @@ std::string cannotRead(const std::filesystem::path &file)
 
 Result<FileContent> readFile(const std::filesystem::path &file)
 {
-    std::error_code error;
-    const files::Kind kind = files::kindOf(file, error);
-    if (kind == files::Kind::Missing && !error)
-        return fail(ErrorCode::NotFound, cannotRead(file), "there is no such file",
-                    "check the name and the folder");
-    if (error)
-        return fail(ErrorCode::Io, cannotRead(file), error.message(), "check the permissions of its folder");
-    if (kind != files::Kind::File)
-        return fail(ErrorCode::InvalidInput, cannotRead(file), "it is not an ordinary file",
-                    "name a picture");
     if (auto may = checkMayBeRead(file, cannotRead(file)); !may)
         return tl::unexpected(may.error());
+    std::error_code error;
     const std::uintmax_t size = files::sizeOf(file, error);
     if (error || size > maximumFileBytes)
         return fail(ErrorCode::InvalidInput, cannotRead(file), "the file is larger than 1 GB",

@@ -28,22 +28,12 @@ int refuseOtherFiles(AVFormatContext *, AVIOContext **, const char *, int, AVDic
     return AVERROR(EPERM);
 }
 
-Result<void> checkOrdinaryFile(const std::filesystem::path &file)
+Result<void> checkFile(const std::filesystem::path &file)
 {
-    std::error_code error;
-    const files::Kind kind = files::kindOf(file, error);
-    if (kind == files::Kind::Missing && !error)
-        return fail(ErrorCode::NotFound, couldNotOpen(file), "there is no such file",
-                    "check the name and the folder");
-    if (error)
-        return fail(ErrorCode::Io, couldNotOpen(file), error.message(),
-                    "check the permissions of its folder");
-    if (kind == files::Kind::Folder)
-        return fail(ErrorCode::InvalidInput, couldNotOpen(file), "it is a folder", "name a video file in it");
-    if (kind != files::Kind::File)
-        return fail(ErrorCode::InvalidInput, couldNotOpen(file), "it is not an ordinary file",
-                    "name a video file");
-    if (files::sizeOf(file, error) == 0)
+    if (auto may = checkMayBeRead(file, couldNotOpen(file)); !may)
+        return may;
+    std::error_code unknown;
+    if (files::sizeOf(file, unknown) == 0)
         return fail(ErrorCode::InvalidInput, couldNotOpen(file), "the file is empty",
                     "copy it from the camera again");
     return {};
@@ -65,8 +55,8 @@ Result<std::unique_ptr<VideoInput>> VideoInput::open(const std::filesystem::path
                                                       const CancelToken &cancel)
 {
     libav::quieten();
-    if (auto ordinary = checkOrdinaryFile(file); !ordinary)
-        return tl::unexpected(ordinary.error());
+    if (auto checked = checkFile(file); !checked)
+        return tl::unexpected(checked.error());
     std::unique_ptr<VideoInput> input(new VideoInput(file, cancel));
     if (auto opened = input->openContainer(known); !opened)
         return tl::unexpected(opened.error());
@@ -83,8 +73,6 @@ VideoInput::~VideoInput()
 
 Result<void> VideoInput::openContainer(const AVInputFormat *known)
 {
-    if (auto may = checkMayBeRead(m_file, couldNotOpen(m_file)); !may)
-        return may;
     libav::Options ioOptions;
     ioOptions.set("protocol_whitelist", "file");
     // "file:" keeps a name like "http:x.mkv" from being read as an address.

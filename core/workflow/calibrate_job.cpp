@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/calibrate_job.h"
 
-#include "core/base/file_system.h"
 #include "core/calibration/intrinsic_calibration.h"
+#include "core/files/protected_files.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/video/picture_writer.h"
@@ -24,9 +24,8 @@ Result<void> CalibrateJob::prepare(Project &project)
 {
     m_mediaFolder = project.mediaFolder();
     for (const auto &file : m_settings.files) {
-        if (!files::isFile(file))
-            return fail(ErrorCode::NotFound, '\'' + file.string() + '\'', "there is no such file",
-                        "check the name and the folder");
+        if (auto may = checkMayBeRead(file, '\'' + file.string() + '\''); !may)
+            return may;
     }
     return {};
 }

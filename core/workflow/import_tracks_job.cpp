@@ -4,6 +4,7 @@
 #include "core/base/file_system.h"
 #include "core/exchange/file_name.h"
 #include "core/exchange/track_text.h"
+#include "core/files/protected_files.h"
 #include "core/project/instant_now.h"
 #include "core/project/names.h"
 #include "core/project/project.h"
@@ -72,8 +73,8 @@ Result<void> ImportTracksJob::checkTracks() const
     for (const auto &[robot, file] : m_settings.tracks) {
         if (!names.insert(robot).second)
             return fail(ErrorCode::InvalidInput, what, "robot '" + robot + "' was given two tracks", "give each robot one");
-        if (!files::isFile(file))
-            return fail(ErrorCode::NotFound, "'" + file.string() + "'", "there is no such file", "check the name and the folder");
+        if (auto may = checkMayBeRead(file, "'" + file.string() + "'"); !may)
+            return may;
     }
     return {};
 }

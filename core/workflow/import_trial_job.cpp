@@ -2,6 +2,7 @@
 #include "core/workflow/import_trial_job.h"
 
 #include "core/base/file_system.h"
+#include "core/files/protected_files.h"
 #include "core/project/instant_now.h"
 #include "core/project/limits.h"
 #include "core/project/project.h"
@@ -57,9 +58,8 @@ Result<void> ImportTrialJob::prepare(Project &project)
         if (!names.insert(camera).second)
             return fail(ErrorCode::InvalidInput, what, "camera '" + camera + "' was given two videos",
                         "give each view its own camera");
-        if (!files::isFile(file))
-            return fail(ErrorCode::NotFound, "'" + file.string() + "'", "there is no such file",
-                        "check the name and the folder");
+        if (auto may = checkMayBeRead(file, "'" + file.string() + "'"); !may)
+            return may;
     }
     m_trial.name = m_settings.trial;
     m_trial.task = m_settings.task;

@@ -22,7 +22,6 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
 constexpr auto lookEach = 50ms, appendEach = 1000ms, longestStart = 10000ms;
-constexpr double longestS = 24 * 3600, longestPreRollS = 10;
 
 std::string whatOf(const RecordSettings &settings)
 {
@@ -35,7 +34,7 @@ Result<void> checkSettings(Project &project, const RecordSettings &settings)
     if (settings.cameras.empty())
         return fail(ErrorCode::InvalidInput, what, "no camera was given",
                     "give one or more, like --camera A=sim:A");
-    if (!(settings.seconds > 0 && settings.seconds <= longestS))
+    if (!(settings.seconds > 0 && settings.seconds <= longestRecordingS))
         return fail(ErrorCode::InvalidInput, what, "it would take no time, or more than a day",
                     "give the seconds, like 10");
     if (!(settings.preRollS >= 0 && settings.preRollS <= longestPreRollS))

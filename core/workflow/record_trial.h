@@ -13,6 +13,8 @@
 
 namespace odo {
 
+constexpr double longestRecordingS = 24 * 3600, longestPreRollS = 10;
+
 struct RecordSettings
 {
     std::string trial;

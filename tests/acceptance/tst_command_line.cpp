@@ -196,6 +196,9 @@ private Q_SLOTS:
         row("new", 2, "something is missing");
         row("new %P", 1, "there already");
         row("new %/nowhere/x.odo", 1, "nowhere");
+        row("new %/x.odo --title=", 1, "title of the project: it is empty; give the project a title");
+        row("new %/x.odo --title=T\u202eitle", 1, "it holds an invisible character, U+202E");
+        row("new %/x.odo --title=two\nlines", 1, "it holds a line break");
         row("demo", 2, "something is missing");
         row("demo %/a.mkv", 1, "demo");
         row("robot add %P blue", 2, "--colour is missing");
@@ -248,6 +251,12 @@ private Q_SLOTS:
         row("import %P --trial run2 --video A=%/a.mkv --video A=%/b.mkv", 1, "two videos");
         row("import %P --trial run2 --video A=%/a.mkv --video B=%/b.mkv --sync 100", 1, "no time in common");
         row("import %P --trial run2 --video A=%/a.mkv --sync soon", 2, "--sync");
+        row("import %P --trial run2 --video A=%/a.mkv --sync 1e300", 2, "--sync takes seconds from -3600 to 3600");
+        row("import %P --trial run2 --video A=%/a.mkv --video B=%/b.mkv --sync=-3601", 2, "--sync takes seconds from -3600 to 3600");
+        row("compare %P run1 run1 --align 1e300", 2, "--align takes seconds from -3600 to 3600");
+        row("layout transform %P floor --turn 1e300", 2, "--turn takes degrees from -360 to 360");
+        row("flag %P run1 --time 1e300 --spike", 2, "--time takes seconds");
+        row("calibrate %P A %/noboard.png --board 1e300x1e300", 2, "1,000,000 at most");
         row("import %P --trial run2 --video A=%/a.mkv --video B=%/b.mkv --video C=%/b.mkv --sync 0.1", 1,
             "give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto");
         row("import %P --trial run2 --video A=%/a.mkv --robot blue", 1, "blue");
@@ -275,6 +284,12 @@ private Q_SLOTS:
         row("export %P run1", 2, "-o");
         row("export %P run1 -o %/nowhere/out.csv", 1, "nowhere");
         row("export %P run1 -o %/out.csv --format xls", 2, "--format");
+        for (const char *format : {"csv", "json", "tum", "tracker", "video"})
+            row((QByteArray("export %P run1 -o %/new.odo --format ") + format).constData(), 2, "a name ending in .odo is for a project; choose another name");
+        row("snapshot %P run1 -o %/new.ODO", 2, "a name ending in .odo is for a project");
+        row("layout export %P floor %/new.odo", 2, "a name ending in .odo is for a project");
+        row("export %P run1 -o - --format video", 2, "a video needs a file");
+        row("export %P run1 -o - --json", 2, "--json");
         row("export %P run1 -o %/out.csv --robot blue", 1, "blue");
         row("export %P uneven -o %/out.csv", 1, "track");
         row("export %P run1 -o %/out.mp4 --format video --speed 2", 2, "--speed");
@@ -312,6 +327,20 @@ private Q_SLOTS:
         const ProgramRun check = runProgram({u"check"_s, own});
         QCOMPARE(check.exitStatus, 1);
         QVERIFY2(check.err.contains(": 1 problem found; "), check.err.constData());
+    }
+
+    void anExportToStandardOutputIsTheFile()
+    {
+        for (const char *format : {"csv", "json", "tum", "tracker"}) {
+            QCOMPARE(good((QByteArray("export %P run1 --force -o %/out.txt --format ") + format).constData()).exitStatus, 0);
+            const ProgramRun printed = good((QByteArray("export %P run1 -o - --format ") + format).constData());
+            QCOMPARE(printed.exitStatus, 0);
+            QVERIFY2(printed.err.isEmpty(), printed.err);
+            QFile file(path("out.txt"));
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            QCOMPARE(printed.out, file.readAll());
+        }
+        QVERIFY(!QFile::exists(QStringLiteral("-")));
     }
 
     void aRobotThatIsNotThereIsNotFound()

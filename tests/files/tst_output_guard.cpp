@@ -88,6 +88,9 @@ private Q_SLOTS:
         fs::create_symlink(m_folder.path().toStdString(), path("sub/up"));
         fs::create_symlink("../p.media", path("sub/media"));
         fs::create_symlink("nowhere.csv", path("dangling_free.csv"));
+        write(path("table.odo"), "t_s,x_mm\n0,1\n");
+        fs::create_symlink("new.odo", path("to_new_project.csv"));
+        fs::create_symlink("table.csv", path("seems_project.odo"));
         fs::create_symlink("loop2", path("loop1"));
         fs::create_symlink("loop1", path("loop2"));
         fs::create_hard_link(path("p.odo"), path("hard.csv"));
@@ -140,6 +143,9 @@ private Q_SLOTS:
         add(root + "/other.odo", "it is another project");
         add("third.odo", "it is another project");
         add(root + "/foreign.db", "it is a database");
+        // A name that says it is a project.
+        for (const char *name : {"new.odo", "NEW.Odo", ".odo", "table.odo", "to_new_project.csv", "seems_project.odo"})
+            add(root + '/' + name, "a name ending in .odo is for a project");
         add(root, "it is a folder");
         add(root + '/', "it is a folder");
         add(".", "it is a folder");
@@ -163,7 +169,7 @@ private Q_SLOTS:
         QCOMPARE(QString::fromStdString(refused.error().why), why);
         QCOMPARE(QString::fromStdString(refused.error().what), QStringLiteral("file '%1'").arg(target));
         const bool isWrongCall = refused.error().code == ErrorCode::WrongCall;
-        QCOMPARE(isWrongCall, why.startsWith(QStringLiteral("it is ")) || why.startsWith(QStringLiteral("a file")) || why == QStringLiteral("it has no name"));
+        QCOMPARE(isWrongCall, why.startsWith(QStringLiteral("it is ")) || why.startsWith(QStringLiteral("a ")) || why == QStringLiteral("it has no name"));
     }
 
     void aSocketIsRefused()
@@ -186,6 +192,7 @@ private Q_SLOTS:
             QCOMPARE(refusal(path(name)), std::string());
         QCOMPARE(checkOutput(path("table.csv"), FileKind::Csv)->kind, FileKind::Csv);
         QVERIFY(!checkOutput(path("new.csv"), FileKind::Csv)->exists);
+        QCOMPARE(refusal(path("new.odo"), FileKind::Project), std::string());
         QCOMPARE(checkOutput(path("dangling_free.csv"), FileKind::Csv)->real, fs::canonical(path("")) / "nowhere.csv");
     }
 
@@ -194,7 +201,7 @@ private Q_SLOTS:
         QCOMPARE(refusal({path("letter.txt"), Existing::ReplaceAny}), std::string());
         QCOMPARE(refusal(path("letter.txt"), std::nullopt), std::string()); // the kind isn't known yet
         QCOMPARE(refusal({path("table.csv"), Existing::Refuse}), std::string("it is there already"));
-        for (const char *name : {"p.odo", "hard.csv", "p.odo-wal", "p.media/new.csv", "other.odo", "foreign.db", "fifo"})
+        for (const char *name : {"p.odo", "hard.csv", "p.odo-wal", "p.media/new.csv", "other.odo", "foreign.db", "fifo", "new.odo", "table.odo"})
             QVERIFY2(!refusal({path(name), Existing::ReplaceAny}).empty(), name);
     }
 

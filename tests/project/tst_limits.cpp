@@ -49,6 +49,56 @@ private Q_SLOTS:
         QCOMPARE(m_project->tasks().all()->size(), std::size_t(1));
     }
 
+    void aTitleIsEnteredAndReadAsAName()
+    {
+        QVERIFY(m_project->setTitle(" Zoe\u0308 \u00a0"));
+        QCOMPARE(m_project->title().value(), std::string("Zoë"));
+        const std::pair<std::string, const char *> refused[] = {
+            {"", "it is empty"}, {" \u00a0 ", "it is empty"}, {"a\nb", "it holds a line break or another control character"},
+            {"T\x1b[31m", "it holds a line break or another control character"}, {"a\u202eb", "it holds an invisible character, U+202E"},
+            {std::string(201, 'x'), "it has 201 characters"}, {"\xff", "it is not valid UTF-8 text"}};
+        for (const auto &[title, why] : refused) {
+            const auto set = m_project->setTitle(title);
+            const auto made = Project::create(m_folder->filePath(QStringLiteral("b.odo")).toStdString(), title);
+            QVERIFY(!set && !made);
+            QCOMPARE(set.error().why, std::string(why));
+            QCOMPARE(made.error().message(), set.error().message());
+            QCOMPARE(set.error().what, std::string("title of the project"));
+            QCOMPARE(m_project->title().value(), std::string("Zoë"));
+        }
+        QVERIFY(!QFile::exists(m_folder->filePath(QStringLiteral("b.odo"))));
+    }
+
+    void aTitleOfAnOlderProjectIsShownAsAName()
+    {
+        const auto shown = [&](const char *change) {
+            run(change);
+            return m_project->title().value();
+        };
+        QCOMPARE(shown("UPDATE property SET value='T'||char(27)||'[31m'||char(8238)||'itle'||char(10)||'next'"), std::string("T\\x1b[31m‹U+202E›itle\\x0anext"));
+        QCOMPARE(shown("UPDATE property SET value=hex(zeroblob(500))"), std::string(199, '0') + "…");
+        QCOMPARE(shown("UPDATE property SET value='  '"), std::string("a")); // what the file is called
+        QCOMPARE(shown("DELETE FROM property"), std::string("a"));
+    }
+
+    void aFilesNameGivesATitle_data()
+    {
+        QTest::addColumn<QByteArray>("file");
+        QTest::addColumn<QByteArray>("title");
+        QTest::newRow("ordinary") << QByteArray("x/Year 9.odo") << QByteArray("Year 9");
+        QTest::newRow("hidden") << QByteArray("a\nb\xe2\x80\xae.odo") << QByteArray("a\\x0ab‹U+202E›");
+        QTest::newRow("bytes") << QByteArray("a\xff.odo") << QByteArray("a\\xff");
+        QTest::newRow("blank") << QByteArray("  .odo") << QByteArray(".odo");
+        QTest::newRow("long") << QByteArray(250, 'n') + ".odo" << QByteArray(199, 'n') + "…";
+    }
+    void aFilesNameGivesATitle()
+    {
+        QFETCH(QByteArray, file);
+        QFETCH(QByteArray, title);
+        QCOMPARE(titleFromName(file.toStdString()), title.toStdString());
+        QVERIFY(checkTitle(titleFromName(file.toStdString())));
+    }
+
     void namesOfOtherProgramsAreShownAndFound()
     {
         run("UPDATE robot SET name='Zoe\u0308'");

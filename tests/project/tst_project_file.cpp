@@ -92,17 +92,17 @@ private Q_SLOTS:
     void creatingNeverReplacesNorLeavesAnything()
     {
         const QByteArray before = content(m_file);
-        QCOMPARE(Project::create(m_file, "").error().code, ErrorCode::AlreadyExists);
+        QCOMPARE(Project::create(m_file, "x").error().code, ErrorCode::AlreadyExists);
         QCOMPARE(content(m_file), before);
-        const auto nowhere = Project::create("/no/such/folder/a.odo", "");
+        const auto nowhere = Project::create("/no/such/folder/a.odo", "x");
         QCOMPARE(nowhere.error().code, ErrorCode::NotFound);
         QCOMPARE(nowhere.error().message(),
                  std::string(
                      "project '/no/such/folder/a.odo': there is no folder '/no/such/folder'; make the folder "
                      "first, or choose another one"));
-        QVERIFY(!Project::create(m_file / "below a file.odo", "").has_value());
-        QCOMPARE(Project::create("/proc/a.odo", "").error().code, ErrorCode::ReadOnly);
-        QVERIFY(!Project::create(folder() / std::string(300, 'x'), "").has_value());
+        QVERIFY(!Project::create(m_file / "below a file.odo", "x").has_value());
+        QCOMPARE(Project::create("/proc/a.odo", "x").error().code, ErrorCode::ReadOnly);
+        QVERIFY(!Project::create(folder() / std::string(300, 'x'), "x").has_value());
         QCOMPARE(files().size(), 1);
     }
 

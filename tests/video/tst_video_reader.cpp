@@ -287,7 +287,7 @@ void TestVideoReader::refusals_data()
     QTest::newRow("empty") << QStringLiteral("empty.mp4") << QStringLiteral("the file is empty");
     QTest::newRow("text") << QStringLiteral("text.mp4") << QStringLiteral("it is not a video");
     QTest::newRow("noise") << QStringLiteral("noise.mkv") << QStringLiteral("");
-    QTest::newRow("device") << QStringLiteral("/dev/null") << QStringLiteral("it is not an ordinary file");
+    QTest::newRow("device") << QStringLiteral("/dev/null") << QStringLiteral("it is a device");
     QTest::newRow("address") << QStringLiteral("http://127.0.0.1/a.mkv")
                              << QStringLiteral("there is no such file");
 }

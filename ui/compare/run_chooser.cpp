@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/compare/run_chooser.h"
 
+#include "core/project/limits.h"
 #include "ui/models/name_list_model.h"
 #include "ui/views/number_box.h"
 #include "ui/views/theme_icon.h"
@@ -78,7 +79,7 @@ RunChooser::RunChooser(QWidget *parent)
         words[0] = words[0].toUpper();
         m_align->addItem(words, static_cast<int>(by));
     }
-    m_shift->setRange(-3600, 3600);
+    m_shift->setRange(-largestOffsetS, largestOffsetS);
     m_shift->setDecimals(3);
     m_shift->setSingleStep(0.01);
     m_shift->setSuffix(tr(" s"));

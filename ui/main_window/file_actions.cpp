@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/file_actions.h"
 
+#include "core/project/names.h"
 #include "core/project/project.h"
 #include "core/workflow/copy_job.h"
 #include "core/workflow/demo.h"
@@ -169,7 +170,7 @@ void FileActions::askLike()
     if (file.isEmpty())
         return;
     const auto make = [original = m_workspace.project()->file(), file = pathOf(file),
-                       title = QFileInfo(file).completeBaseName().toStdString()](const JobControl &control) {
+                       title = titleFromName(pathOf(file))](const JobControl &control) {
         return makeProjectLike(original, file, title, control);
     };
     tellFailure(m_workspace.makeAndOpen(make, tr("Taking over the set-up"), [this, file] { m_recent.add(pathOf(file)); }));
@@ -180,7 +181,7 @@ void FileActions::askNew()
     const QString file = newFile();
     if (file.isEmpty())
         return;
-    const Result<void> made = m_workspace.create(pathOf(file), QFileInfo(file).completeBaseName());
+    const Result<void> made = m_workspace.create(pathOf(file), QString::fromStdString(titleFromName(pathOf(file))));
     if (made)
         m_recent.add(pathOf(file));
     tellFailure(made);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/window_title.h"
 
+#include "core/project/names.h"
 #include "core/project/project.h"
 #include "ui/models/shown_team.h"
 
@@ -21,7 +22,7 @@ QString windowTitleOf(const Project *project, const TrialScenePtr &trial)
 {
     QStringList parts;
     if (project)
-        parts << QString::fromStdString(project->title().value_or(project->file().stem().string()));
+        parts << QString::fromStdString(project->title().value_or(titleFromName(project->file())));
     if (trial) {
         QStringList words(QString::fromStdString(trial->trial.name));
         if (!trial->trial.teamName.empty())

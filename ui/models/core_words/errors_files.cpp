@@ -25,6 +25,7 @@ std::span<const CorePattern> errorsFiles()
         {QT_TRANSLATE_NOOP("CoreWords", "it is another project")},
         {QT_TRANSLATE_NOOP("CoreWords", "it is a database")},
         {QT_TRANSLATE_NOOP("CoreWords", "a file of another kind has that name")},
+        {QT_TRANSLATE_NOOP("CoreWords", "a name ending in .odo is for a project")},
         {QT_TRANSLATE_NOOP("CoreWords", "choose another name, or replace it with --force")},
         {QT_TRANSLATE_NOOP("CoreWords", "choose another name or folder")},
         {QT_TRANSLATE_NOOP("CoreWords", "use a calibration file as ROS or OpenCV writes it")},
