@@ -14223,6 +14223,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
             <numerusform>%n herrenlose Dateien entfernt.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n other file(s), listed last, stay: missing recordings, projects, and what is neither a video nor a picture.</source>
+        <translation>
+            <numerusform>%n andere Datei, am Ende aufgeführt, bleibt: eine vermisste Aufnahme, ein Projekt oder was weder Video noch Bild ist.</numerusform>
+            <numerusform>%n andere Dateien, am Ende aufgeführt, bleiben: vermisste Aufnahmen, Projekte und was weder Video noch Bild ist.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::TrendChart</name>

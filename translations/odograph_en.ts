@@ -272,5 +272,12 @@
             <numerusform>%n stray files removed.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n other file(s), listed last, stay: missing recordings, projects, and what is neither a video nor a picture.</source>
+        <translation>
+            <numerusform>%n other file, listed last, stays: a missing recording, a project, or what is neither a video nor a picture.</numerusform>
+            <numerusform>%n other files, listed last, stay: missing recordings, projects, and what is neither a video nor a picture.</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

@@ -14223,6 +14223,13 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
             <numerusform>%n archivos sueltos eliminados.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n other file(s), listed last, stay: missing recordings, projects, and what is neither a video nor a picture.</source>
+        <translation>
+            <numerusform>%n archivo más, al final de la lista, se queda: una grabación perdida, un proyecto o algo que no es ni vídeo ni imagen.</numerusform>
+            <numerusform>%n archivos más, al final de la lista, se quedan: grabaciones perdidas, proyectos y lo que no es ni vídeo ni imagen.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::TrendChart</name>

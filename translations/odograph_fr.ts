@@ -14223,6 +14223,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
             <numerusform>%n fichiers orphelins supprimés.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n other file(s), listed last, stay: missing recordings, projects, and what is neither a video nor a picture.</source>
+        <translation>
+            <numerusform>%n autre fichier, en fin de liste, reste : un enregistrement manquant, un projet ou ce qui n’est ni vidéo ni image.</numerusform>
+            <numerusform>%n autres fichiers, en fin de liste, restent : des enregistrements manquants, des projets et ce qui n’est ni vidéo ni image.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::TrendChart</name>

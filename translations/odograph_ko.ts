@@ -14191,6 +14191,12 @@ Much more than expected means that something is not as it was told: the views ar
             <numerusform>소속 없는 파일 %n개를 제거했습니다.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n other file(s), listed last, stay: missing recordings, projects, and what is neither a video nor a picture.</source>
+        <translation>
+            <numerusform>목록 끝에 있는 다른 파일 %n개는 그대로 둡니다: 없어진 녹화, 프로젝트, 그리고 동영상도 그림도 아닌 것.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::TrendChart</name>

@@ -14191,6 +14191,12 @@ Much more than expected means that something is not as it was told: the views ar
             <numerusform>已移除 %n 个无归属的文件。</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n other file(s), listed last, stay: missing recordings, projects, and what is neither a video nor a picture.</source>
+        <translation>
+            <numerusform>列在最后的其他 %n 个文件保留不动：丢失的录制、项目，以及既非视频也非图片的文件。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>odo::TrendChart</name>

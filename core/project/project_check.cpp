@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project_check.h"
 
+#include "core/base/file_system.h"
 #include "core/base/shortage.h"
 #include "core/project/analysis_check.h"
 #include "core/project/checked_files.h"

@@ -72,7 +72,7 @@ private Q_SLOTS:
         QTest::newRow("class") << QStringList{o, file, QStringLiteral("--class"), QStringLiteral("7C")} << 1
                                << QStringLiteral("class '7C': the project has '9B'");
         QTest::newRow("logo") << QStringList{trial, o, file, QStringLiteral("--logo"), path("no.png")} << 1
-                              << QStringLiteral("choose a PNG, JPEG or SVG picture");
+                              << QStringLiteral("there is no such file");
         QTest::newRow("folder") << QStringList{trial, o, path("no/where.pdf")} << 1 << QStringLiteral("there is no folder");
     }
     void whatCannotBeIsSaidInALine()

@@ -88,7 +88,7 @@ private Q_SLOTS:
             writeArchive(path("p.zip").toStdString(), {{"p.odo", path("no").toStdString()}}, {});
         QCOMPARE(missing.error().message(),
                  "pack '" + path("no").toStdString() +
-                     "': No such file or directory; check that it is there and may be read");
+                     "': there is no such file; check the name and the folder");
         QCOMPARE(read("p.zip"), before);
         QCOMPARE(files(), QStringList({QStringLiteral("a"), QStringLiteral("p.zip")}));
         const auto refused = writeArchive("/no/such/folder/p.zip", {{"p.odo", file}}, {});

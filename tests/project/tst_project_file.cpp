@@ -111,11 +111,11 @@ private Q_SLOTS:
         const QString media = m_folder->filePath(QString::fromStdString(m_file.stem().string()) + QStringLiteral(".media"));
         QVERIFY(QDir().mkpath(media));
         for (const char *suffix : {"-wal", "-shm", "-journal", ".lock", ".bak-1", ".damaged"}) {
-            const auto refused = Project::create(m_file.string() + suffix, "");
+            const auto refused = Project::create(m_file.string() + suffix, "x");
             QCOMPARE(refused.error().code, ErrorCode::WrongCall);
             QCOMPARE(refused.error().message(), "project '" + m_file.string() + suffix + "': it is the log, the lock or a backup of a project; choose another name");
         }
-        const auto inside = Project::create(media.toStdString() + "/inner.odo", "");
+        const auto inside = Project::create(media.toStdString() + "/inner.odo", "x");
         QCOMPARE(inside.error().code, ErrorCode::WrongCall);
         QCOMPARE(inside.error().why, "it is in the media folder of project '" + m_file.filename().string() + "'");
         QVERIFY(QDir(media).isEmpty());

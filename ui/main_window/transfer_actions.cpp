@@ -121,7 +121,7 @@ void TransferActions::findStrays()
 {
     const auto job = std::make_shared<FindStraysJob>();
     tellFailure(m_workspace.start(job, tr("Looking for stray files"), [this, job] {
-        if (job->strays().empty())
+        if (job->strays().empty() && job->others().empty())
             Q_EMIT done(tr("Every file in the media folder belongs to a trial, a lens calibration or a floor registration."));
         else
             askStrays(*job);
@@ -137,14 +137,20 @@ void TransferActions::askStrays(const FindStraysJob &found)
     box->setTextFormat(Qt::PlainText);
     box->setText(tr("%n file(s) in the media folder belong to no trial, lens calibration or floor registration.", nullptr,
                     static_cast<int>(found.strays().size())));
-    box->setInformativeText(tr("Videos can become trials of their own. Removed files are gone for good."));
+    QString words = tr("Videos can become trials of their own. Removed files are gone for good.");
+    if (!found.others().empty())
+        words += u' ' + tr("%n other file(s), listed last, stay: missing recordings, projects, and what is neither a video nor a picture.", nullptr,
+                           static_cast<int>(found.others().size()));
+    box->setInformativeText(words);
     QStringList names;
-    for (const std::filesystem::path &file : found.strays())
-        names << QDir::toNativeSeparators(textOf(file));
+    for (const auto *files : {&found.strays(), &found.others()})
+        for (const std::filesystem::path &file : *files)
+            names << QDir::toNativeSeparators(textOf(file));
     box->setDetailedText(names.join(u'\n'));
     QPushButton *add = box->addButton(tr("&Add videos as trials"), QMessageBox::AcceptRole);
     add->setEnabled(!found.videos().empty());
     QPushButton *remove = box->addButton(tr("&Remove files"), QMessageBox::DestructiveRole);
+    remove->setEnabled(!found.strays().empty());
     box->setDefaultButton(box->addButton(QMessageBox::Cancel));
     connect(add, &QPushButton::clicked, this, [this, videos = found.videos()] { adopt(videos); });
     connect(remove, &QPushButton::clicked, this, [this, files = found.strays()] { removeStrays(files); });

@@ -203,8 +203,9 @@ void TestTransfer::strayFilesBecomeTrialsOrGo()
     QVERIFY(!videos.isEmpty());
     QVERIFY(QFile::copy(media.filePath(videos.first()), media.filePath(QStringLiteral("lap_A.mkv"))));
     QFile notes(media.filePath(QStringLiteral("notes.txt")));
-    QVERIFY(notes.open(QIODevice::WriteOnly) && notes.write("no video") > 0);
+    QVERIFY(notes.open(QIODevice::WriteOnly) && notes.write("a teacher's") > 0);
     notes.close();
+    QVERIFY(notes.copy(media.filePath(QStringLiteral("broken_A.mkv"))));
     answerStrays([](QDialog &dialog) {
         const auto &box = static_cast<QMessageBox &>(dialog);
         QVERIFY2(box.detailedText().contains(QStringLiteral("lap_A.mkv")) && box.detailedText().contains(QStringLiteral("notes.txt")),
@@ -215,7 +216,8 @@ void TestTransfer::strayFilesBecomeTrialsOrGo()
     QTRY_VERIFY(!m_window->workspace().isBusy());
     QVERIFY2(message().startsWith(QStringLiteral("1 trial")), qPrintable(message()));
     answerStrays(pressButton(QStringLiteral("Remove files")));
-    QTRY_VERIFY(!notes.exists());
+    QTRY_VERIFY(!media.exists(QStringLiteral("broken_A.mkv")));
+    QVERIFY(notes.exists());
     QVERIFY(media.exists(QStringLiteral("lap_A.mkv")));
 }
 
