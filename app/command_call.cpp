@@ -18,6 +18,8 @@ namespace odo {
 
 namespace {
 
+bool isAnswered = false;
+
 /// Shows progress on one line of a terminal, and clears it when the last copy is gone.
 class TerminalProgress
 {
@@ -156,7 +158,10 @@ void CommandCall::answer(const QJsonObject &json, const QString &text) const
     if (m_control.progress)
         std::fputs("\r\033[K", stderr);
     std::fwrite(out.data(), 1, out.size(), stdout);
+    isAnswered = true;
 }
+
+bool CommandCall::hasAnswered() { return isAnswered; }
 
 void CommandCall::warn(const std::string &message) { std::fprintf(stderr, "odograph: %s\n", plainLine(message).c_str()); }
 

@@ -63,6 +63,8 @@ public:
 
     /// Prints one JSON object, or the text for people.
     void answer(const QJsonObject &json, const QString &text) const;
+    /// Whether answer() was called, by any call.
+    static bool hasAnswered();
     /// One line to standard error, in the form of an error, of something that did not stop the command.
     static void warn(const std::string &message);
 

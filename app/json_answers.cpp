@@ -20,7 +20,43 @@ QString lensModelName(LensModel model)
     return {};
 }
 
+const char *codeWord(ErrorCode code)
+{
+    switch (code) {
+    case ErrorCode::InvalidInput:
+        return "invalid_input";
+    case ErrorCode::NotFound:
+        return "not_found";
+    case ErrorCode::AlreadyExists:
+        return "already_exists";
+    case ErrorCode::Io:
+        return "io";
+    case ErrorCode::NewerFormat:
+        return "newer_format";
+    case ErrorCode::ReadOnly:
+        return "read_only";
+    case ErrorCode::Undetermined:
+        return "undetermined";
+    case ErrorCode::WrongCall:
+        return "wrong_call";
+    case ErrorCode::Unavailable:
+        return "unavailable";
+    case ErrorCode::Cancelled:
+        return "cancelled";
+    case ErrorCode::Internal:
+        break;
+    }
+    return "internal";
+}
+
 } // namespace
+
+QJsonObject errorJson(const Error &error)
+{
+    return {{QStringLiteral("error"), QJsonObject{{QStringLiteral("code"), QLatin1String(codeWord(error.code))},
+                                                  {QStringLiteral("text"), QString::fromStdString(error.message())},
+                                                  {QStringLiteral("arguments"), QJsonObject()}}}};
+}
 
 QJsonObject intrinsicsJson(const Intrinsics &intrinsics)
 {

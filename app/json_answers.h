@@ -9,6 +9,8 @@
 namespace odo {
 
 /// The parts that several subcommands print, as docs/command_line.md names them.
+/// What is printed where a call with --json fails.
+QJsonObject errorJson(const Error &error);
 QJsonObject intrinsicsJson(const Intrinsics &intrinsics);
 QJsonObject syncJson(const TrialRecord &trial);
 QJsonObject recordingJson(const RecordingRecord &recording);

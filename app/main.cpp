@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/guarded_application.h"
+#include "app/json_answers.h"
 #include "app/workbench.h"
 #include "core/base/crash_report.h"
 #include "core/base/last_resort.h"
@@ -12,11 +14,16 @@
 
 #include <QApplication>
 #include <QFileInfo>
+#include <QJsonDocument>
+#include <algorithm>
 #include <cerrno>
 #include <clocale>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <fcntl.h>
+#include <new>
+#include <unistd.h>
 
 namespace {
 
@@ -72,11 +79,33 @@ void printHelp()
         std::printf("  %-11s %s\n", command.name, command.summary);
 }
 
+bool isJsonAsked = false, isOutputClosed = false;
+
+/// What is opened next would get the number of one that is closed, and all that is printed.
+void openStandardFiles()
+{
+    isOutputClosed = ::fcntl(STDOUT_FILENO, F_GETFD) < 0;
+    for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::fcntl(descriptor, F_GETFD) < 0)
+            static_cast<void>(::open("/dev/null", O_RDWR)); // the lowest number that is free
+}
+
+void printJson(const Error &error)
+{
+    try {
+        std::fputs(QJsonDocument(errorJson(error)).toJson().constData(), stdout);
+        std::fflush(stdout);
+    } catch (const std::bad_alloc &) { // the line on standard error says it
+    }
+}
+
 int report(const Result<void> &result)
 {
     if (result)
         return exitDone;
     std::fprintf(stderr, "odograph: %s\n", result.error().message().c_str());
+    if (isJsonAsked && !CommandCall::hasAnswered())
+        printJson(result.error());
     switch (result.error().code) {
     case ErrorCode::WrongCall:
         return exitWrongCall;
@@ -100,8 +129,8 @@ void dropRemarks(QtMsgType type, const QMessageLogContext &, const QString &mess
 /// Whoever reads the answer must not take half of it for the whole.
 Result<void> printed()
 {
-    errno = 0;
-    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0)
+    errno = isOutputClosed ? EBADF : 0;
+    if (!isOutputClosed && std::fflush(stdout) == 0 && std::ferror(stdout) == 0)
         return {};
     const std::string reason = errno != 0 ? std::string(" (") + std::strerror(errno) + ")" : std::string();
     return fail(ErrorCode::Io, "the answer", "it could not be written" + reason,
@@ -176,11 +205,11 @@ int run(int argc, char **argv)
     const std::string_view first = argc > 1 ? argv[1] : "";
     if (first == "--help" || first == "-h" || first == "help") {
         printHelp();
-        return exitDone;
+        return report(printed());
     }
     if (first == "--version") {
         std::puts("odograph " ODOGRAPH_VERSION);
-        return exitDone;
+        return report(printed());
     }
     for (const NamedCommand &command : commands) {
         if (first == command.name)
@@ -197,6 +226,8 @@ int run(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
+    openStandardFiles();
+    isJsonAsked = std::any_of(argv + 1, argv + argc, [](const char *word) { return std::strcmp(word, "--json") == 0; });
     std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error like a full disk, not the end of the program
     catchWhatNobodyCatches();
     try {

@@ -99,6 +99,60 @@ private Q_SLOTS:
         QVERIFY(writePicture(SceneRenderer(demoTestbed(1), 0).render(0), path("noboard.png").toStdString()).has_value());
     }
 
+    void errorsAreJsonWhereItIsAsked_data()
+    {
+        QTest::addColumn<QString>("line");
+        QTest::addColumn<int>("status");
+        QTest::addColumn<QString>("code");
+        const auto add = [](const char *line, int status, const char *code) { QTest::newRow(line) << QString::fromLatin1(line) << status << QString::fromLatin1(code); };
+        add("list %/none.odo --json", 1, "not_found");
+        add("list %/foreign.odo --json", 1, "invalid_input");
+        add("list --json", 2, "wrong_call");
+        add("list --json --what", 2, "wrong_call");
+        add("bogus --json", 2, "wrong_call");
+        add("new %/foreign.odo --json", 1, "already_exists");
+        add("new %/no/p.odo --json", 1, "not_found");
+    }
+    void errorsAreJsonWhereItIsAsked()
+    {
+        QFETCH(QString, line);
+        QFETCH(int, status);
+        QFETCH(QString, code);
+        const ProgramRun failed = run(line);
+        QCOMPARE(failed.exitStatus, status);
+        QCOMPARE(failed.json().keys(), QStringList{QStringLiteral("error")});
+        const QJsonObject error = failed.json().value(QStringLiteral("error")).toObject();
+        QCOMPARE(error.value(QStringLiteral("code")).toString(), code);
+        QCOMPARE(failed.err, "odograph: " + error.value(QStringLiteral("text")).toString().toUtf8() + '\n');
+        QVERIFY(error.value(QStringLiteral("arguments")).isObject());
+    }
+
+    void standardFilesMayBeClosed()
+    {
+        const auto shell = [](const char *line, const QString &file) { return runCommand(QStringLiteral("/bin/sh"), {QStringLiteral("-c"), QString::fromLatin1(line), file}); };
+        QCOMPARE(run("new %/closed.odo").exitStatus, 0);
+        const QString file = path("closed.odo");
+        for (const char *line : {"\"$ODOGRAPH_PROGRAM\" list \"$0\" >&-", "\"$ODOGRAPH_PROGRAM\" list \"$0\" >&- <&-", "\"$ODOGRAPH_PROGRAM\" --version >&-"}) {
+            const ProgramRun failed = shell(line, file);
+            QCOMPARE(failed.exitStatus, 1);
+            QCOMPARE(failed.err, QByteArray("odograph: the answer: it could not be written (Bad file descriptor); what was to be done is done, make room and ask again\n"));
+        }
+        QCOMPARE(shell("\"$ODOGRAPH_PROGRAM\" list \"$0\" 2>&- <&-", file).exitStatus, 0);
+        QCOMPARE(shell("\"$ODOGRAPH_PROGRAM\" list \"$0.none\" >&- 2>&- <&-", file).exitStatus, 1);
+    }
+
+    void projectsTakeNoPlaceOfOthers()
+    {
+        QCOMPARE(run("new %/place.odo").exitStatus, 0);
+        QVERIFY(QDir().mkpath(path("place.media")));
+        for (const char *line : {"new %/place.odo-wal", "new %/place.odo.lock", "new %/place.odo.bak-1", "new %/place.media/inner.odo", "new %/.odograph-aaaaaaaaaaaa.part",
+                                 "demo %/place.media/new/demo"}) {
+            const ProgramRun refused = run(line);
+            QVERIFY2(refused.exitStatus == 2 && refused.err.count('\n') == 1, refused.err);
+        }
+        QVERIFY(QDir(path("place.media")).isEmpty());
+    }
+
     void aWholeLessonWorks()
     {
         QCOMPARE(good("new %P --title Lesson").exitStatus, 0);
