@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/file_kind.h"
 
+#include <array>
 #include <tuple>
+#include <unistd.h>
 #include <utility>
 
 namespace odo {
@@ -121,6 +123,13 @@ bool isSameKind(FileKind a, FileKind b)
 {
     const auto isTable = [](FileKind kind) { return kind == FileKind::Csv || kind == FileKind::Tum || kind == FileKind::Tracker; };
     return a == b || (isTable(a) && isTable(b));
+}
+
+std::optional<FileKind> kindOfFile(int descriptor)
+{
+    std::array<char, kindBytes> start{};
+    const ssize_t length = ::pread(descriptor, start.data(), start.size(), 0);
+    return length < 0 ? std::nullopt : std::optional(kindOf({start.data(), static_cast<std::size_t>(length)}));
 }
 
 } // namespace odo

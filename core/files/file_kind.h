@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string_view>
 
 namespace odo {
@@ -31,6 +33,9 @@ bool isSameKind(FileKind a, FileKind b);
 
 /// How many bytes from its beginning tell a file's kind.
 inline constexpr std::size_t kindBytes = 8192;
+
+/// Of the file behind a descriptor; nothing, with errno, where it cannot be read.
+std::optional<FileKind> kindOfFile(int descriptor);
 
 /// The kind of a file that begins so; `start` may hold more than kindBytes.
 FileKind kindOf(std::string_view start);

@@ -7,7 +7,6 @@
 #include "core/files/temporary.h"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -69,10 +68,9 @@ bool holdsProject(const std::filesystem::path &file, const ProtectedFiles &open)
     const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0)
         return false;
-    std::array<char, kindBytes> start{};
-    const ssize_t length = ::pread(descriptor, start.data(), start.size(), 0);
+    const auto kind = kindOfFile(descriptor);
     ::close(descriptor);
-    return length > 0 && kindOf({start.data(), static_cast<std::size_t>(length)}) == FileKind::Project;
+    return kind == FileKind::Project;
 }
 
 /// A project in the folder whose name `isMeant` likes; empty where there is none. One that is damaged is known by its ending.
@@ -285,18 +283,16 @@ private:
         const int descriptor = ::open(m_path.real.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
         if (descriptor < 0)
             return fail(ErrorCode::Io, what(), std::string("it cannot be read (") + std::strerror(errno) + ")", "choose another name");
-        std::array<char, kindBytes> start{};
-        const ssize_t length = ::pread(descriptor, start.data(), start.size(), 0);
+        const auto kind = kindOfFile(descriptor);
         const int problem = errno;
         ::close(descriptor);
-        if (length < 0)
+        if (!kind)
             return fail(ErrorCode::Io, what(), std::string("it cannot be read (") + std::strerror(problem) + ")", "choose another name");
-        const FileKind kind = kindOf({start.data(), static_cast<std::size_t>(length)});
         if (kind == FileKind::Project)
             return refused("it is another project");
         if (kind == FileKind::Database)
             return refused("it is a database");
-        return kind;
+        return *kind;
     }
 
     const ProtectedFiles m_protected;

@@ -2,8 +2,8 @@
 #include "core/geometry/silhouette.h"
 
 #include "core/base/cancel_scope.h"
+#include "core/geometry/convex_hull.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -15,11 +15,6 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr int circleCorners = 24;
-
-double cross(const Vector2d &a, const Vector2d &b)
-{
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 /// Corners of the footprint about its centre, in the world's axes.
 std::vector<Vector2d> footprint(const SolidShape &shape, double headingRad)
@@ -36,28 +31,6 @@ std::vector<Vector2d> footprint(const SolidShape &shape, double headingRad)
     const Vector2d along = shape.lengthM / 2 * Vector2d(std::cos(headingRad), std::sin(headingRad));
     const Vector2d across = shape.widthM / 2 * Vector2d(-std::sin(headingRad), std::cos(headingRad));
     return {along + across, along - across, -along - across, -along + across};
-}
-
-/// Convex hull by Andrew's monotone chain (1979).
-std::vector<Vector2d> convexHull(std::vector<Vector2d> points)
-{
-    std::sort(points.begin(), points.end(), [](const Vector2d &a, const Vector2d &b) {
-        return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-    });
-    std::vector<Vector2d> hull;
-    const auto addChain = [&hull](auto begin, auto end) {
-        const std::size_t first = hull.size();
-        for (auto point = begin; point != end; ++point) {
-            while (hull.size() >= first + 2 &&
-                   cross(hull.back() - hull[hull.size() - 2], *point - hull.back()) <= 0)
-                hull.pop_back();
-            hull.push_back(*point);
-        }
-        hull.pop_back(); // it begins the other chain
-    };
-    addChain(points.begin(), points.end());
-    addChain(points.rbegin(), points.rend());
-    return hull;
 }
 
 } // namespace

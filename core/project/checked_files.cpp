@@ -27,10 +27,11 @@ struct FileOnDisk
 Result<FileOnDisk> onDisk(const std::filesystem::path &file)
 {
     struct stat status = {};
-    if (stat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode))
+    const int problem = stat(file.c_str(), &status) == 0 ? 0 : errno;
+    if (problem == 0 && S_ISREG(status.st_mode))
         return FileOnDisk{{status.st_dev, status.st_ino}, status.st_size};
-    const bool isThere = errno == EACCES || errno == EIO;
-    return fail(isThere ? ErrorCode::Io : ErrorCode::NotFound, "file '" + file.string() + "'", std::string("it cannot be read (") + std::strerror(errno) + ")",
+    const bool isThere = problem == EACCES || problem == EIO;
+    return fail(isThere ? ErrorCode::Io : ErrorCode::NotFound, "file '" + file.string() + "'", std::string("it cannot be read (") + std::strerror(problem) + ")",
                 "check that the file is there and may be read");
 }
 

@@ -15,7 +15,6 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
-#include <fstream>
 #include <iterator>
 #include <optional>
 #include <set>
@@ -191,11 +190,11 @@ bool isForeign(const std::filesystem::path &file)
         return false;
     if (!isOrdinary(file))
         return true;
-    std::ifstream stream(file, std::ios::binary);
-    std::string start(kindBytes, '\0');
-    stream.read(start.data(), static_cast<std::streamsize>(start.size()));
-    start.resize(static_cast<std::size_t>(stream.gcount()));
-    switch (kindOf(start)) {
+    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    const auto kind = kindOfFile(descriptor);
+    if (descriptor >= 0)
+        ::close(descriptor);
+    switch (kind.value_or(FileKind::Empty)) {
     case FileKind::Empty:
     case FileKind::Png:
     case FileKind::Jpeg:
@@ -253,13 +252,7 @@ Result<StrayMedia> strayMedia(Project &project, const JobControl &control)
         const auto isLost = isOrdinary(file) ? isOneOf(*missing, file, control) : Result<bool>(false);
         if (!isLost)
             return tl::unexpected(isLost.error());
-        if (*isLost) {
-            stray.lost.push_back(file);
-            continue;
-        }
-        stray.files.push_back(file);
-        if (isForeign(file))
-            stray.foreign.push_back(file);
+        (*isLost ? stray.lost : isForeign(file) ? stray.foreign : stray.files).push_back(file);
     }
     return stray;
 }
@@ -271,13 +264,13 @@ void addStrayMedia(Project &project, std::vector<ProjectProblem> &problems, cons
         problems.push_back({"it cannot be told which files belong to no trial: " + stray.error().why, stray.error().what, stray.error().advice});
         return;
     }
-    for (const std::filesystem::path &file : stray->files) {
-        const bool isForeign = std::ranges::find(stray->foreign, file) != stray->foreign.end();
-        problems.push_back({"no trial, lens calibration or floor registration uses this file", file.string(),
-                            isForeign ? "move it to another folder"
-                                      : "make a trial of it with odograph check P.odo --adopt, or remove it with --remove-strays; the window offers "
-                                        "both under Find stray files…"});
-    }
+    const auto addUnused = [&](const std::filesystem::path &file, const char *advice) {
+        problems.push_back({"no trial, lens calibration or floor registration uses this file", file.string(), advice});
+    };
+    for (const std::filesystem::path &file : stray->files)
+        addUnused(file, "make a trial of it with odograph check P.odo --adopt, or remove it with --remove-strays; the window offers both under Find stray files…");
+    for (const std::filesystem::path &file : stray->foreign)
+        addUnused(file, "move it to another folder");
     for (const std::filesystem::path &file : stray->lost)
         problems.push_back({"this is a missing recording", file.string(), "take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the window, "
                                                                           "or put it back in its place"});

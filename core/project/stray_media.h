@@ -34,7 +34,7 @@ Result<ReferredFiles> filesUsedBeside(const std::filesystem::path &project);
 struct StrayMedia
 {
     std::vector<std::filesystem::path> files;
-    /// Of those, what neither the program nor a camera makes: texts, documents, links. They are named, and left where they are.
+    /// Likewise, but what neither the program nor a camera makes: texts, documents, links. They are named, and left where they are.
     std::vector<std::filesystem::path> foreign;
     /// None of these is stray: missing recordings, by their content, under another name or in another place than where the project looks.
     std::vector<std::filesystem::path> lost;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 namespace odo {
@@ -9,8 +10,8 @@ namespace odo {
 /// A convex polygon in a plane, corners anticlockwise.
 using ConvexPolygon = std::vector<Eigen::Vector2d>;
 
-/// The corners of the smallest convex polygon around points (A. M. Andrew 1979).
-ConvexPolygon convexHull(std::vector<Eigen::Vector2d> points);
+/// Positive where the corners run anticlockwise; of any polygon.
+double signedArea(std::span<const Eigen::Vector2d> polygon);
 
 /// What of a polygon lies outside another one, in convex pieces that meet at their edges only.
 std::vector<ConvexPolygon> outsideOf(const ConvexPolygon &hole, const ConvexPolygon &polygon);

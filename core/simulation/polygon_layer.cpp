@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/polygon_layer.h"
 
+#include "core/simulation/convex_polygon.h"
+
 #include <cmath>
 
 namespace odo {
-namespace {
-
-double signedArea(std::span<const Eigen::Vector2d> outline)
-{
-    double doubled = 0;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Eigen::Vector2d &a = outline[i], &b = outline[(i + 1) % outline.size()];
-        doubled += a.x() * b.y() - a.y() * b.x();
-    }
-    return 0.5 * doubled;
-}
-
-} // namespace
 
 PolygonLayer::PolygonLayer(const PixelRect &rect)
     : m_rect(rect), m_stride(rect.width() + 2),

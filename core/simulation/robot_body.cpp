@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/robot_body.h"
 
+#include "core/geometry/convex_hull.h"
 #include "core/geometry/rigid_transform.h"
 #include "core/simulation/convex_polygon.h"
 #include "core/simulation/solid.h"

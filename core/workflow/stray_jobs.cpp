@@ -7,7 +7,6 @@
 #include "core/project/stray_media.h"
 #include "core/video/video_input.h"
 
-#include <algorithm>
 #include <map>
 #include <set>
 
@@ -63,7 +62,6 @@ Result<void> FindStraysJob::run(const JobControl &control)
     if (!found)
         return tl::unexpected(found.error());
     m_strays = std::move(found->files);
-    std::erase_if(m_strays, [&](const std::filesystem::path &file) { return std::ranges::find(found->foreign, file) != found->foreign.end(); });
     for (const auto *some : {&found->foreign, &found->lost, &found->projects})
         m_others.insert(m_others.end(), some->begin(), some->end());
     for (const std::filesystem::path &file : m_strays) {

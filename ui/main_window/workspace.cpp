@@ -4,6 +4,7 @@
 #include "core/base/file_system.h"
 #include "core/project/place_warning.h"
 #include "core/project/project.h"
+#include "core/project/recording_rows.h"
 #include "core/project/rescue.h"
 #include "core/project/repositories.h"
 #include "core/project/restored_backup.h"
@@ -217,7 +218,7 @@ Result<std::filesystem::path> Workspace::rescue()
 std::optional<std::filesystem::path> Workspace::movedTo() const
 {
     auto place = m_project->presentPlace();
-    const bool isWhole = place && !files::exists(m_project->mediaFolder()) && files::isFolder(std::filesystem::path(*place).replace_extension(".media"));
+    const bool isWhole = place && !files::exists(m_project->mediaFolder()) && files::isFolder(mediaFolderOf(*place));
     return isWhole ? place : std::nullopt;
 }
 
