@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/charuco_detection.h"
 
+#include "core/base/cancel_scope.h"
 #include "core/calibration/charuco_layout.h"
+#include "core/calibration/search_scale.h"
 #include "core/geometry/homography.h"
 
 #include <algorithm>
@@ -54,8 +56,10 @@ std::vector<NamedDictionary> dictionariesFor(const std::string &name)
     return chosen;
 }
 
-std::vector<ReadMarker> readMarkers(const cv::Mat &picture, const NamedDictionary &dictionary)
+/// The markers of a picture that is `scale` times as large as the one their corners are given in.
+std::vector<ReadMarker> readMarkers(const cv::Mat &picture, double scale, const NamedDictionary &dictionary)
 {
+    endIfCancelled();
     std::vector<std::vector<cv::Point2f>> corners;
     std::vector<int> ids;
     cv::aruco::detectMarkers(picture, cv::aruco::getPredefinedDictionary(dictionary.dictionary), corners,
@@ -64,8 +68,8 @@ std::vector<ReadMarker> readMarkers(const cv::Mat &picture, const NamedDictionar
     for (std::size_t i = 0; i < ids.size(); ++i) {
         ReadMarker marker{ids[i], {}};
         for (std::size_t corner = 0; corner < 4; ++corner)
-            marker.corners[corner] = {static_cast<double>(corners[i][corner].x),
-                                      static_cast<double>(corners[i][corner].y)};
+            marker.corners[corner] = {unscaled(static_cast<double>(corners[i][corner].x), scale),
+                                      unscaled(static_cast<double>(corners[i][corner].y), scale)};
         byId[ids[i]].push_back(marker);
     }
     std::vector<ReadMarker> markers;
@@ -155,12 +159,14 @@ Result<BoardView> findCharucoBoard(const cv::Mat &luma, const BoardSpec &spec, c
     if (dictionaries.empty())
         return fail(ErrorCode::InvalidInput, source, "there is no marker dictionary " + spec.dictionary,
                     "name one like DICT_6X6_250, or leave it out");
+    const double scale = searchScale(luma);
+    const cv::Mat searched = reduced(luma, scale);
     cv::Mat inverted;
-    cv::bitwise_not(luma, inverted);
+    cv::bitwise_not(searched, inverted);
     std::size_t mostMarkers = 0;
-    for (const cv::Mat *picture : {&luma, &std::as_const(inverted)}) {
+    for (const cv::Mat *picture : {&searched, &std::as_const(inverted)}) {
         for (const NamedDictionary &dictionary : dictionaries) {
-            const std::vector<ReadMarker> markers = readMarkers(*picture, dictionary);
+            const std::vector<ReadMarker> markers = readMarkers(*picture, scale, dictionary);
             mostMarkers = std::max(mostMarkers, markers.size());
             const auto layout = explainMarkers(markers, spec.columns, spec.rows);
             if (!layout)

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/checkerboard_detection.h"
 
+#include "core/base/cancel_scope.h"
 #include "core/base/units.h"
 #include "core/calibration/corner_grid.h"
 #include "core/calibration/saddle_points.h"
+#include "core/calibration/search_scale.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,28 +44,19 @@ bool isWanted(const CornerGrid &grid, const BoardSpec &spec)
     return isSize(grid, spec.columns, spec.rows);
 }
 
-/// Pixel (0,0) is a centre, so scaling keeps the corner of the first pixel, half a pixel before it.
-Point2f unscaled(Point2f position, double scale)
-{
-    const auto back = static_cast<float>(1 / scale);
-    return {(position.x + 0.5F) * back - 0.5F, (position.y + 0.5F) * back - 0.5F};
-}
-
 CornerGrid searchScales(const cv::Mat &luma, const BoardSpec &spec)
 {
     const double side = std::max(luma.cols, luma.rows);
     const double first = std::min(1.0, firstSearchSide / side);
     std::vector<double> scales{first};
-    if (first < 1)
-        scales.push_back(1); // small squares
+    if (const double largest = searchScale(luma); first < largest)
+        scales.push_back(largest); // small squares
     if (0.5 * first * side > leastSearchSide)
         scales.push_back(0.5 * first); // blurred ones
     CornerGrid best;
     for (double scale : scales) {
-        cv::Mat picture = luma;
-        if (scale != 1)
-            cv::resize(luma, picture, {}, scale, scale, cv::INTER_AREA);
-        CornerGrid grid = findCornerGrid(picture);
+        endIfCancelled();
+        CornerGrid grid = findCornerGrid(reduced(luma, scale));
         for (Point2f &corner : grid.corners)
             corner = unscaled(corner, scale);
         if (isWanted(grid, spec))

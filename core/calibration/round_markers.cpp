@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/round_markers.h"
 
+#include "core/base/cancel_scope.h"
 #include "core/calibration/ellipse_edge.h"
 #include "core/calibration/luma_matrix.h"
+#include "core/calibration/search_scale.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +91,15 @@ EllipseOutline shrunk(EllipseOutline outline)
     return outline;
 }
 
-void findIn(const cv::Mat &luma, const cv::Mat &dark, std::vector<RoundMarker> &found)
+EllipseOutline unscaled(EllipseOutline outline, double scale)
+{
+    outline.centre = {odo::unscaled(outline.centre.x(), scale), odo::unscaled(outline.centre.y(), scale)};
+    outline.semiAxes /= scale;
+    return outline;
+}
+
+/// dark: of the picture at a scale.
+void findIn(const cv::Mat &luma, const cv::Mat &dark, double scale, std::vector<RoundMarker> &found)
 {
     std::vector<Contour> contours;
     std::vector<cv::Vec4i> tree; // next, previous, first child, parent
@@ -97,9 +107,11 @@ void findIn(const cv::Mat &luma, const cv::Mat &dark, std::vector<RoundMarker> &
     for (std::size_t i = 0; i < contours.size(); ++i) {
         if (tree[i][3] >= 0)
             continue;
-        const auto rough = roughOutline(contours[i]);
+        endIfCancelled();
+        auto rough = roughOutline(contours[i]);
         if (!rough)
             continue;
+        rough = unscaled(*rough, scale);
         int hole = -1;
         double largest = 0;
         for (int child = tree[i][2]; child >= 0; child = tree[static_cast<std::size_t>(child)][0]) {
@@ -110,11 +122,11 @@ void findIn(const cv::Mat &luma, const cv::Mat &dark, std::vector<RoundMarker> &
             }
         }
         std::optional<RoundMarker> marker;
-        if (hole < 0 || largest < speck * rough->area())
+        if (hole < 0 || largest / (scale * scale) < speck * rough->area())
             marker = dotOf(luma, *rough, 0.4);
         else if (const auto roughHole = roughOutline(contours[static_cast<std::size_t>(hole)]);
                  roughHole && roughHole->semiAxes.y() > 1.5)
-            marker = ringOf(luma, *rough, shrunk(*roughHole));
+            marker = ringOf(luma, *rough, unscaled(shrunk(*roughHole), scale));
         // A ring so small that its hole cannot be measured: its outer edge is that of a dot.
         if (!marker && hole >= 0)
             marker = dotOf(luma, *rough, 0.25);
@@ -151,15 +163,16 @@ std::vector<RoundMarker> findRoundMarkers(const Frame &frame, std::optional<Pixe
     if (rect.width() < 16 || rect.height() < 16)
         return {};
     const cv::Mat luma = whole(cv::Rect(rect.x0, rect.y0, rect.width(), rect.height()));
+    const double scale = searchScale(luma);
     cv::Mat smooth, dark;
-    cv::GaussianBlur(luma, smooth, {3, 3}, 0);
+    cv::GaussianBlur(reduced(luma, scale), smooth, {3, 3}, 0);
     std::vector<RoundMarker> found;
     // A window narrower than a shape sees only its border, one much wider no gradient of the light.
     for (const int divisor : {36, 10}) {
-        const int side = std::max(15, std::max(whole.cols, whole.rows) / divisor) | 1;
+        const int side = std::max(15, static_cast<int>(scale * std::max(whole.cols, whole.rows)) / divisor) | 1;
         cv::adaptiveThreshold(smooth, dark, 255, cv::ADAPTIVE_THRESH_MEAN_C, cv::THRESH_BINARY_INV, side,
                               darkerBy);
-        findIn(luma, dark, found);
+        findIn(luma, dark, scale, found);
     }
     for (RoundMarker &marker : found) {
         marker.centrePx += Vector2d(rect.x0, rect.y0);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/saddle_points.h"
 
+#include "core/base/cancel_scope.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -69,6 +71,11 @@ std::optional<SaddlePoint> describe(const cv::Mat &smoothed, cv::Point2f positio
     return point;
 }
 
+constexpr float leastStrength = 100;
+constexpr int peakReach = 3; // pixels either side in which a peak is the highest
+
+using Peak = std::pair<float, cv::Point2f>;
+
 /// The negative determinant of the Hessian: large where the grey surface is a saddle.
 cv::Mat saddleStrength(const cv::Mat &smoothed)
 {
@@ -78,6 +85,26 @@ cv::Mat saddleStrength(const cv::Mat &smoothed)
     cv::Sobel(smoothed, xy, CV_32F, 1, 1);
     strength = xy.mul(xy) - xx.mul(yy);
     return strength;
+}
+
+/// Peaks of the strength in some rows of the picture; `strongest` is raised to the strength there.
+void addPeaks(const cv::Mat &smoothed, cv::Range rows, std::vector<Peak> &peaks, double &strongest)
+{
+    const cv::Range wider(std::max(rows.start - peakReach, 0), std::min(rows.end + peakReach, smoothed.rows));
+    const cv::Mat strength = saddleStrength(smoothed.rowRange(wider));
+    cv::Mat highest;
+    cv::dilate(strength, highest, cv::Mat::ones(2 * peakReach + 1, 2 * peakReach + 1, CV_8U));
+    double most = 0;
+    cv::minMaxLoc(strength, nullptr, &most);
+    strongest = std::max(strongest, most);
+    for (int y = std::max(rows.start, 2); y < std::min(rows.end, smoothed.rows - 2); ++y) {
+        const auto *row = strength.ptr<float>(y - wider.start);
+        const auto *top = highest.ptr<float>(y - wider.start);
+        for (int x = 2; x < strength.cols - 2; ++x) {
+            if (row[x] >= leastStrength && row[x] == top[x])
+                peaks.emplace_back(row[x], cv::Point2f(static_cast<float>(x), static_cast<float>(y)));
+        }
+    }
 }
 
 } // namespace
@@ -98,22 +125,16 @@ float greyAt(const cv::Mat &picture, cv::Point2f position)
 
 std::vector<SaddlePoint> findSaddlePoints(const cv::Mat &smoothed)
 {
-    const cv::Mat strength = saddleStrength(smoothed);
-    cv::Mat highest;
-    cv::dilate(strength, highest, cv::Mat::ones(7, 7, CV_8U));
+    constexpr int band = 256; // rows at a time: their numbers of 32 bits take many times the memory of the picture
     double strongest = 0;
-    cv::minMaxLoc(strength, nullptr, &strongest);
-    const auto least = static_cast<float>(std::max(0.005 * strongest, 100.0));
-    std::vector<std::pair<float, cv::Point2f>> peaks;
-    for (int y = 2; y < strength.rows - 2; ++y) {
-        const auto *row = strength.ptr<float>(y);
-        const auto *top = highest.ptr<float>(y);
-        for (int x = 2; x < strength.cols - 2; ++x) {
-            if (row[x] >= least && row[x] == top[x])
-                peaks.emplace_back(row[x], cv::Point2f(static_cast<float>(x), static_cast<float>(y)));
-        }
+    std::vector<Peak> peaks;
+    for (int y = 0; y < smoothed.rows; y += band) {
+        endIfCancelled();
+        addPeaks(smoothed, {y, std::min(y + band, smoothed.rows)}, peaks, strongest);
     }
-    std::ranges::sort(peaks, std::greater<>(), &std::pair<float, cv::Point2f>::first);
+    const auto least = static_cast<float>(0.005 * strongest);
+    std::erase_if(peaks, [&](const Peak &peak) { return peak.first < least; });
+    std::ranges::sort(peaks, std::greater<>(), &Peak::first);
     if (peaks.size() > mostPoints)
         peaks.resize(mostPoints);
     std::vector<SaddlePoint> points;

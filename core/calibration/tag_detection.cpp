@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/tag_detection.h"
 
+#include "core/base/cancel_scope.h"
 #include "core/calibration/luma_matrix.h"
+#include "core/calibration/search_scale.h"
 
 extern "C" {
 #include <apriltag/apriltag.h>
@@ -11,6 +13,7 @@ extern "C" {
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <opencv2/imgproc.hpp>
 
@@ -23,6 +26,7 @@ using Eigen::Matrix3d;
 constexpr int mostMendedBits = 1;
 constexpr int leastSidePx = 32;
 constexpr int longestSidePx = 32767; // that libapriltag counts; it ends the program at more
+constexpr double largestEnlargement = 2, mostEnlargedPixels = 2 * mostSearchedPixels; // for small tags
 constexpr double leastTagSigmaPx = 0.02; // what the lens bends within a tag and the fit's grid leave
 
 using Family = std::unique_ptr<apriltag_family_t, void (*)(apriltag_family_t *)>;
@@ -81,17 +85,19 @@ std::vector<SeenTag> readPart(const Frame &frame, std::optional<PixelRect> part,
     const PixelRect rect = part ? part->clipped(all) : all;
     if (frame.y.data == nullptr || rect.width() < leastSidePx || rect.height() < leastSidePx)
         return {};
-    constexpr int scale = 2;
-    const int longest = (enlarged ? scale : 1) * std::max(rect.width(), rect.height());
-    if (longest > longestSidePx)
-        return {};
     const cv::Mat luma = lumaMatrix(frame)(cv::Rect(rect.x0, rect.y0, rect.width(), rect.height()));
-    cv::Mat picture = luma;
-    if (enlarged)
+    const double enlargement = std::min(largestEnlargement, std::sqrt(mostEnlargedPixels / (double(luma.cols) * luma.rows)));
+    const double scale = enlarged ? enlargement : searchScale(luma);
+    if (scale * std::max(rect.width(), rect.height()) > longestSidePx)
+        return {};
+    endIfCancelled();
+    cv::Mat picture;
+    if (scale > 1)
         cv::resize(luma, picture, {}, scale, scale, cv::INTER_CUBIC);
+    else
+        picture = reduced(luma, scale);
     // Undecimated and unsmoothed, the detector only reads this.
-    auto tags = read(luma, {picture.cols, picture.rows, static_cast<int>(picture.step), picture.data},
-                     enlarged ? scale : 1);
+    auto tags = read(luma, {picture.cols, picture.rows, static_cast<int>(picture.step), picture.data}, scale);
     const Eigen::Projective2d origin(Eigen::Translation2d(rect.x0, rect.y0));
     for (SeenTag &tag : tags) {
         tag.pixelFromTag = origin.matrix() * tag.pixelFromTag;

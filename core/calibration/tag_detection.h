@@ -24,11 +24,11 @@ TagCells tagCells(int number);
 
 /// All tags of a picture, or of a part of it, in luma pixels of the whole: read by libapriltag, then each
 /// laid over the picture with all of its cells (alignTag). Tags whose picture is not like them are left out.
-/// None where a side has more than 32767 pixels. Thread-safe.
+/// Read in the picture reduced to 12 megapixels where it has more. None where a side has more than 32767 pixels then. Thread-safe.
 std::vector<SeenTag> findTags(const Frame &frame, std::optional<PixelRect> part = {});
 
-/// Tags smaller than findTags reads, from a picture twice as large, for sides half as long. Four times its
-/// work. Thread-safe.
+/// Tags smaller than findTags reads, from a picture twice as large, for sides half as long, but of 24 megapixels at most. Two to four
+/// times its work. Thread-safe.
 std::vector<SeenTag> findSmallTags(const Frame &frame, std::optional<PixelRect> part = {});
 
 } // namespace odo

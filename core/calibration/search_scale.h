@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <opencv2/core/types.hpp>
+
+namespace odo {
+
+/// Boards and markers are detected in an image of at most so many pixels, and then measured in the image itself: detection takes
+/// many times the memory of the image.
+inline constexpr double mostSearchedPixels = 12e6;
+
+/// How much smaller than the image that one is; 1 where the image is small enough itself.
+double searchScale(const cv::Mat &luma);
+
+/// The image at a scale of at most 1, by averages; itself, not a copy, where the scale is 1.
+cv::Mat reduced(const cv::Mat &luma, double scale);
+
+/// From pixels of reduced(luma, scale) to those of the image. Pixel (0, 0) is the centre of a pixel: scaling keeps the corner of the first
+/// one, half a pixel before it.
+inline double unscaled(double pixel, double scale)
+{
+    return (pixel + 0.5) / scale - 0.5;
+}
+inline cv::Point2f unscaled(cv::Point2f position, double scale)
+{
+    const auto back = static_cast<float>(1 / scale);
+    return {(position.x + 0.5F) * back - 0.5F, (position.y + 0.5F) * back - 0.5F};
+}
+
+} // namespace odo
