@@ -3328,8 +3328,8 @@
         <translation>nennen Sie ein Bild</translation>
     </message>
     <message>
-        <source>the file is larger than 1 GB</source>
-        <translation>die Datei ist größer als 1 GB</translation>
+        <source>the file is larger than 200 MB</source>
+        <translation>die Datei ist größer als 200 MB</translation>
     </message>
     <message>
         <source>the file could not be read</source>
@@ -6280,8 +6280,8 @@
         <translation>die Bilder haben mehr als 100 Megapixel oder 32000 Pixel je Seite</translation>
     </message>
     <message>
-        <source>more than 100 megapixels or 32000 pixels a side are not read</source>
-        <translation>mehr als 100 Megapixel oder 32000 Pixel je Seite werden nicht gelesen</translation>
+        <source>more than 50 megapixels or 32000 pixels a side are not read</source>
+        <translation>mehr als 50 Megapixel oder 32000 Pixel je Seite werden nicht gelesen</translation>
     </message>
     <message>
         <source>its results are not those that its analysis gave</source>

@@ -3328,8 +3328,8 @@
         <translation>indique una imagen</translation>
     </message>
     <message>
-        <source>the file is larger than 1 GB</source>
-        <translation>el archivo ocupa más de 1 GB</translation>
+        <source>the file is larger than 200 MB</source>
+        <translation>el archivo ocupa más de 200 MB</translation>
     </message>
     <message>
         <source>the file could not be read</source>
@@ -6280,8 +6280,8 @@
         <translation>sus imágenes tienen más de 100 megapíxeles o 32000 píxeles por lado</translation>
     </message>
     <message>
-        <source>more than 100 megapixels or 32000 pixels a side are not read</source>
-        <translation>no se leen más de 100 megapíxeles o 32000 píxeles por lado</translation>
+        <source>more than 50 megapixels or 32000 pixels a side are not read</source>
+        <translation>no se leen más de 50 megapíxeles o 32000 píxeles por lado</translation>
     </message>
     <message>
         <source>its results are not those that its analysis gave</source>

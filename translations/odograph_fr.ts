@@ -3328,8 +3328,8 @@
         <translation>nommez une image</translation>
     </message>
     <message>
-        <source>the file is larger than 1 GB</source>
-        <translation>le fichier dépasse 1 Go</translation>
+        <source>the file is larger than 200 MB</source>
+        <translation>le fichier dépasse 200 Mo</translation>
     </message>
     <message>
         <source>the file could not be read</source>
@@ -6280,8 +6280,8 @@
         <translation>ses images ont plus de 100 mégapixels ou 32000 pixels de côté</translation>
     </message>
     <message>
-        <source>more than 100 megapixels or 32000 pixels a side are not read</source>
-        <translation>plus de 100 mégapixels ou 32000 pixels de côté ne sont pas lus</translation>
+        <source>more than 50 megapixels or 32000 pixels a side are not read</source>
+        <translation>plus de 50 mégapixels ou 32000 pixels de côté ne sont pas lus</translation>
     </message>
     <message>
         <source>its results are not those that its analysis gave</source>

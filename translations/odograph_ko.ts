@@ -3326,8 +3326,8 @@
         <translation>그림을 지정하십시오</translation>
     </message>
     <message>
-        <source>the file is larger than 1 GB</source>
-        <translation>파일이 1 GB보다 큽니다</translation>
+        <source>the file is larger than 200 MB</source>
+        <translation>파일이 200 MB보다 큽니다</translation>
     </message>
     <message>
         <source>the file could not be read</source>
@@ -6278,8 +6278,8 @@
         <translation>영상이 1억 화소 또는 한 변 32000픽셀을 넘습니다</translation>
     </message>
     <message>
-        <source>more than 100 megapixels or 32000 pixels a side are not read</source>
-        <translation>1억 화소 또는 한 변 32000픽셀을 넘으면 읽지 않습니다</translation>
+        <source>more than 50 megapixels or 32000 pixels a side are not read</source>
+        <translation>5천만 화소 또는 한 변 32000픽셀을 넘으면 읽지 않습니다</translation>
     </message>
     <message>
         <source>its results are not those that its analysis gave</source>

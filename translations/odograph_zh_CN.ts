@@ -3326,8 +3326,8 @@
         <translation>请指定图片</translation>
     </message>
     <message>
-        <source>the file is larger than 1 GB</source>
-        <translation>文件大于 1 GB</translation>
+        <source>the file is larger than 200 MB</source>
+        <translation>文件大于 200 MB</translation>
     </message>
     <message>
         <source>the file could not be read</source>
@@ -6278,8 +6278,8 @@
         <translation>其画面超过 1 亿像素或单边 32000 像素</translation>
     </message>
     <message>
-        <source>more than 100 megapixels or 32000 pixels a side are not read</source>
-        <translation>超过 1 亿像素或单边 32000 像素则不读取</translation>
+        <source>more than 50 megapixels or 32000 pixels a side are not read</source>
+        <translation>超过 5000 万像素或单边 32000 像素则不读取</translation>
     </message>
     <message>
         <source>its results are not those that its analysis gave</source>

@@ -11,42 +11,48 @@
 
 extern "C" {
 #include <libavutil/intreadwrite.h>
+#include <libavutil/pixdesc.h>
 #include <libswscale/swscale.h>
 }
 
-#include <cstring>
+#include <algorithm>
 #include <fstream>
+#include <span>
 #include <string_view>
-#include <vector>
 
 namespace odo {
 
 namespace {
 
-using FileContent = std::vector<std::uint8_t>;
+using Bytes = std::span<const std::uint8_t>;
 
-constexpr std::uintmax_t maximumFileBytes = 1'000'000'000;
+constexpr std::uintmax_t maximumFileBytes = 200'000'000;
+/// With more, decoding and detection would take more than 500 MB.
+constexpr std::int64_t mostPicturePixels = 50'000'000;
 
 std::string cannotRead(const std::filesystem::path &file)
 {
     return "cannot read the picture " + file.string();
 }
 
-Result<FileContent> readFile(const std::filesystem::path &file)
+/// As a packet, which a decoder takes without a copy.
+Result<libav::PacketPtr> readFile(const std::filesystem::path &file)
 {
     if (auto may = checkMayBeRead(file, cannotRead(file)); !may)
         return tl::unexpected(may.error());
     std::error_code error;
     const std::uintmax_t size = files::sizeOf(file, error);
     if (error || size > maximumFileBytes)
-        return fail(ErrorCode::InvalidInput, cannotRead(file), "the file is larger than 1 GB",
+        return fail(ErrorCode::InvalidInput, cannotRead(file), "the file is larger than 200 MB",
                     "name a picture");
-    FileContent bytes(size);
+    libav::PacketPtr packet(libav::allocated(av_packet_alloc()));
+    if (libav::checked(av_new_packet(packet.get(), static_cast<int>(size))) != 0)
+        throw std::bad_alloc();
     std::ifstream stream(file, std::ios::binary);
-    if (!stream.read(reinterpret_cast<char *>(bytes.data()), static_cast<std::streamsize>(size)))
+    if (!stream.read(reinterpret_cast<char *>(packet->data), static_cast<std::streamsize>(size)))
         return fail(ErrorCode::Io, cannotRead(file), "the file could not be read",
                     "check that you may read the file");
-    return bytes;
+    return packet;
 }
 
 AVCodecID codecOf(PictureFormat format)
@@ -70,16 +76,13 @@ AVCodecID codecOf(PictureFormat format)
     return AV_CODEC_ID_NONE;
 }
 
-libav::PacketPtr packetOf(const FileContent &bytes)
+Bytes bytesOf(const libav::PacketPtr &file)
 {
-    libav::PacketPtr packet(libav::allocated(av_packet_alloc()));
-    if (libav::checked(av_new_packet(packet.get(), static_cast<int>(bytes.size()))) == 0)
-        std::memcpy(packet->data, bytes.data(), bytes.size());
-    return packet;
+    return {file->data, static_cast<std::size_t>(file->size)};
 }
 
-/// Null when libavcodec refuses it.
-libav::FramePtr decodedByLibav(const FileContent &bytes, PictureFormat format)
+/// Null when libavcodec refuses it. The file's memory is given back.
+libav::FramePtr decodedByLibav(libav::PacketPtr file, PictureFormat format)
 {
     libav::quieten();
     const AVCodec *codec = avcodec_find_decoder(codecOf(format));
@@ -90,27 +93,30 @@ libav::FramePtr decodedByLibav(const FileContent &bytes, PictureFormat format)
         decoder->err_recognition |= AV_EF_CRCCHECK | AV_EF_EXPLODE;
     libav::FramePtr picture(libav::allocated(av_frame_alloc()));
     const bool isWhole = codec && libav::checked(avcodec_open2(decoder.get(), codec, nullptr)) == 0 &&
-                         libav::checked(avcodec_send_packet(decoder.get(), packetOf(bytes).get())) == 0 &&
+                         libav::checked(avcodec_send_packet(decoder.get(), file.get())) == 0 &&
                          libav::checked(avcodec_receive_frame(decoder.get(), picture.get())) == 0 &&
                          picture->decode_error_flags == 0 && (picture->flags & AV_FRAME_FLAG_CORRUPT) == 0;
+    file.reset(); // the decoder's own goes with it
     return isWhole ? std::move(picture) : nullptr;
 }
 
-/// Null where libswscale does not know the picture's own format.
-libav::FramePtr withRgbPixels(const AVFrame &picture)
+/// Some rows in RGB; null where libswscale does not know the picture's own format.
+libav::FramePtr withRgbPixels(const AVFrame &picture, int firstRow, int rows)
 {
     libav::FramePtr rgb(libav::allocated(av_frame_alloc()));
     rgb->format = AV_PIX_FMT_RGB24;
     rgb->width = picture.width;
-    rgb->height = picture.height;
+    rgb->height = rows;
     const std::unique_ptr<SwsContext, void (*)(SwsContext *)> scaler(
-        sws_getContext(picture.width, picture.height, static_cast<AVPixelFormat>(picture.format), rgb->width,
-                       rgb->height, AV_PIX_FMT_RGB24, SWS_BILINEAR | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT,
-                       nullptr, nullptr, nullptr),
+        sws_getContext(picture.width, rows, static_cast<AVPixelFormat>(picture.format), rgb->width, rows, AV_PIX_FMT_RGB24,
+                       SWS_BILINEAR | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT, nullptr, nullptr, nullptr),
         &sws_freeContext);
+    const std::uint8_t *planes[AV_NUM_DATA_POINTERS] = {};
+    const bool hasPalette = (av_pix_fmt_desc_get(static_cast<AVPixelFormat>(picture.format))->flags & AV_PIX_FMT_FLAG_PAL) != 0;
+    for (int i = 0; i < AV_NUM_DATA_POINTERS && picture.data[i]; ++i)
+        planes[i] = picture.data[i] + (hasPalette && i == 1 ? 0 : std::ptrdiff_t(firstRow) * picture.linesize[i]);
     const bool isDone = scaler && libav::checked(av_frame_get_buffer(rgb.get(), 0)) == 0 &&
-                        libav::checked(sws_scale(scaler.get(), picture.data, picture.linesize, 0,
-                                                 picture.height, rgb->data, rgb->linesize)) == picture.height;
+                        libav::checked(sws_scale(scaler.get(), planes, picture.linesize, 0, rows, rgb->data, rgb->linesize)) == rows;
     return isDone ? std::move(rgb) : nullptr;
 }
 
@@ -144,19 +150,27 @@ std::optional<Frame> fromLibav(libav::FramePtr picture)
     FrameFormat format = formatOf(*picture);
     if (setChromaShifts(static_cast<AVPixelFormat>(picture->format), format))
         return frameOf(std::move(picture), format);
-    const libav::FramePtr rgb = withRgbPixels(*picture);
-    if (!rgb)
+    const AVPixFmtDescriptor *pixels = av_pix_fmt_desc_get(static_cast<AVPixelFormat>(picture->format));
+    if (!pixels)
         return std::nullopt;
+    constexpr int band = 256; // rows at a time, where none takes chroma of another; a multiple of eight, as dithering is
+    const int mostRows = pixels->log2_chroma_h == 0 ? band : format.height;
     auto buffer = std::make_shared<FrameBuffer>(format);
-    for (int y = 0; y < format.height; ++y)
-        convertRow(rgb->data[0] + std::ptrdiff_t(y) * rgb->linesize[0], format.width, buffer->yRow(y),
-                   buffer->uRow(y), buffer->vRow(y));
+    for (int first = 0; first < format.height; first += mostRows) {
+        const int rows = std::min(mostRows, format.height - first);
+        const libav::FramePtr rgb = withRgbPixels(*picture, first, rows);
+        if (!rgb)
+            return std::nullopt;
+        for (int y = first; y < first + rows; ++y)
+            convertRow(rgb->data[0] + std::ptrdiff_t(y - first) * rgb->linesize[0], format.width, buffer->yRow(y),
+                       buffer->uRow(y), buffer->vRow(y));
+    }
     return FrameBuffer::toFrame(std::move(buffer), 0, Nanoseconds(0));
 }
 
 /// Whether the end of the picture follows its last scan (ITU-T T.81 §B.1.1): libavcodec fills what is missing
 /// with grey.
-bool hasItsEnd(const FileContent &jpeg)
+bool hasItsEnd(Bytes jpeg)
 {
     const std::string_view text(reinterpret_cast<const char *>(jpeg.data()), jpeg.size());
     const std::size_t scan = text.rfind("\xff\xda"), end = text.rfind("\xff\xd9");
@@ -164,8 +178,9 @@ bool hasItsEnd(const FileContent &jpeg)
 }
 
 /// As the pictures of a video: what is suitable by libjpeg-turbo, which tells what is damaged.
-std::optional<Frame> decodeJpeg(const FileContent &bytes, const PictureHeader &header)
+std::optional<Frame> decodeJpeg(libav::PacketPtr file, const PictureHeader &header)
 {
+    const Bytes bytes = bytesOf(file);
     const auto format = jpegFormat(bytes);
     const bool isAsStated = format && std::uint32_t(format->width) == header.width &&
                             std::uint32_t(format->height) == header.height;
@@ -175,44 +190,44 @@ std::optional<Frame> decodeJpeg(const FileContent &bytes, const PictureHeader &h
         if (outcome != JpegDecoder::Outcome::NotSuitable)
             return outcome == JpegDecoder::Outcome::Decoded ? std::optional(std::move(frame)) : std::nullopt;
     }
-    return hasItsEnd(bytes) ? fromLibav(decodedByLibav(bytes, header.format)) : std::nullopt;
+    return hasItsEnd(bytes) ? fromLibav(decodedByLibav(std::move(file), header.format)) : std::nullopt;
 }
 
 /// What is shorter than its file header says is cut: libavcodec takes its rows for ones without padding.
-std::optional<Frame> decodeBmp(const FileContent &bytes)
+std::optional<Frame> decodeBmp(libav::PacketPtr file)
 {
     constexpr std::size_t fileSizeAt = 2;
-    const bool isCut = bytes.size() < AV_RL32(bytes.data() + fileSizeAt);
-    return isCut ? std::nullopt : fromLibav(decodedByLibav(bytes, PictureFormat::Bmp));
+    const bool isCut = bytesOf(file).size() < AV_RL32(file->data + fileSizeAt);
+    return isCut ? std::nullopt : fromLibav(decodedByLibav(std::move(file), PictureFormat::Bmp));
 }
 
-std::optional<Frame> decode(const FileContent &bytes, const PictureHeader &header)
+std::optional<Frame> decode(libav::PacketPtr file, const PictureHeader &header)
 {
     switch (header.format) {
     case PictureFormat::Jpeg:
-        return decodeJpeg(bytes, header);
+        return decodeJpeg(std::move(file), header);
     case PictureFormat::Bmp:
-        return decodeBmp(bytes);
+        return decodeBmp(std::move(file));
     default:
-        return fromLibav(decodedByLibav(bytes, header.format));
+        return fromLibav(decodedByLibav(std::move(file), header.format));
     }
 }
 
 Result<Frame> readPictureChecked(const std::filesystem::path &file)
 {
-    const auto bytes = readFile(file);
-    if (!bytes)
-        return tl::unexpected(bytes.error());
-    const auto header = pictureHeader(*bytes);
+    auto packet = readFile(file);
+    if (!packet)
+        return tl::unexpected(packet.error());
+    const auto header = pictureHeader(bytesOf(*packet));
     if (!header)
         return fail(ErrorCode::InvalidInput, cannotRead(file), "it is no PNG, JPEG, BMP, TIFF or PNM picture",
                     "convert it to PNG or JPEG");
-    if (libav::isTooLarge(header->width, header->height))
+    if (libav::isTooLarge(header->width, header->height) || std::int64_t(header->width) * header->height > mostPicturePixels)
         return fail(ErrorCode::InvalidInput, cannotRead(file),
                     "it says that it has " + std::to_string(header->width) + "x" +
-                        std::to_string(header->height) + " pixels; more than 100 megapixels or 32000 pixels a side are not read",
+                        std::to_string(header->height) + " pixels; more than 50 megapixels or 32000 pixels a side are not read",
                     "make it smaller");
-    auto frame = decode(*bytes, *header);
+    auto frame = decode(std::move(*packet), *header);
     if (!frame)
         return fail(ErrorCode::InvalidInput, cannotRead(file), "its content is damaged or cut short",
                     "copy it again");

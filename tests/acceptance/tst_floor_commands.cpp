@@ -4,6 +4,7 @@
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
 #include "tests/support/calling_test.h"
+#include "tests/support/patience.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -81,6 +82,19 @@ private Q_SLOTS:
         QCOMPARE(layouts[0].toObject().value(QStringLiteral("cameras")).toArray().size(), 2);
         QCOMPARE(run("layout show %P floor --json").json().value(QStringLiteral("markers")).toArray().size(),
                  5);
+    }
+    /// The largest size that is read, without a board or markers.
+    void aLargeImageTakesLittleMemory()
+    {
+        constexpr int width = 8000, height = 6200;
+        write("large.pgm", "P5 8000 6200 255\n" + QByteArray(qsizetype{width} * height, '\x80'));
+        for (const char *line : {"calibrate %P C %/large.pgm", "register %P --camera C --layout floor --image %/large.pgm"}) {
+            const MeasuredRun run = runMeasured(filled(QString::fromLatin1(line)));
+            QCOMPARE(run.exitStatus, 1);
+            QVERIFY2(run.megabytes < 500 || slowness > 1, qPrintable(QString::number(run.megabytes)));
+            QVERIFY2(run.seconds < 20 * slowness, qPrintable(QString::number(run.seconds))); // 10 alone
+        }
+        QFile::remove(path("large.pgm"));
     }
     void allCamerasTogether()
     {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files that say that they have enormous pictures: refused by what they say, without asking for the memory.
 #include "coded_frames.h"
+#include "core/base/shortage.h"
 #include "core/video/picture_reader.h"
+#include "core/video/picture_writer.h"
 #include "core/video/video_reader.h"
 
+#include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 #include <fstream>
@@ -67,6 +70,7 @@ private Q_SLOTS:
         row("PNG 60000x60000", "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\xea\x60\0\0\xea\x60\x08\x02\0\0\0"s);
         row("PNG 60000x2000", "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\xea\x60\0\0\x07\xd0\x08\x02\0\0\0"s);
         row("JPEG 65000x65000", "\xff\xd8\xff\xe0\0\x04\0\0\xff\xc0\0\x11\x08\xfd\xe8\xfd\xe8\x03\0\0\0\0"s);
+        row("PNM 8000x6300", "P6\n8000 6300 255\n"s);
         row("PNM 99999x99999", "P6\n99999 99999 255\n"s);
         row("PNM 32001x8", "P5 32001 8 255\n" + std::string(32001 * 8, 'x'));
         row("PNM 8x32001", "P5 8 32001 255\n" + std::string(32001 * 8, 'x'));
@@ -79,8 +83,44 @@ private Q_SLOTS:
         const auto frame = readPicture(path("huge.png"));
         QVERIFY(!frame);
         QCOMPARE(frame.error().code, ErrorCode::InvalidInput);
-        QVERIFY2(frame.error().message().find("more than 100 megapixels or 32000 pixels a side are not read; make it smaller") != std::string::npos,
+        QVERIFY2(frame.error().message().find("more than 50 megapixels or 32000 pixels a side are not read; make it smaller") != std::string::npos,
                  frame.error().message().c_str());
+    }
+
+    /// The largest one that is read: its file, what is decoded and its planes are 3 bytes a pixel each, and two of them are enough at a time.
+    void theLargestOneTakesLittleMemory()
+    {
+        if (!canBeLimited)
+            QSKIP("a sanitizer takes memory of its own");
+        constexpr int side = 7000;
+        constexpr rlim_t planes = rlim_t{3} * side * side;
+        {
+            std::ofstream file(path("largest.ppm"), std::ios::binary);
+            file << "P6\n" << side << ' ' << side << " 255\n";
+            const std::string row(3 * side, 'x');
+            for (int y = 0; y < side; ++y)
+                file << row;
+        }
+        const MemoryLimit limit(2 * planes + 30'000'000);
+        auto frame = readPicture(path("largest.ppm"));
+        QVERIFY2(frame, frame ? "" : frame.error().message().c_str());
+        QCOMPARE(frame->y.width, side);
+        QCOMPARE(frame->y.at(side - 1, side - 1), std::uint8_t('x'));
+        QFile::remove(QString::fromStdString(path("largest.ppm").string()));
+    }
+
+    /// libav asks at once for what the worst image could take when packed, and uses little of it.
+    void theLargestOneIsPackedInLittleMemory()
+    {
+        if (!canBeLimited)
+            QSKIP("a sanitizer takes memory of its own");
+        FrameFormat format{7000, 7000};
+        auto buffer = std::make_shared<FrameBuffer>(format);
+        const Frame frame = FrameBuffer::toFrame(std::move(buffer), 0, Nanoseconds(0));
+        constexpr rlim_t rows = rlim_t{3} * 7000 * 7000;
+        const MemoryLimit limit(2 * rows + 30'000'000);
+        const auto png = orShortage("png", [&] { return colourPng(frame); });
+        QVERIFY2(png, png ? "" : png.error().message().c_str());
     }
 
     void theLongestSideIsRead()

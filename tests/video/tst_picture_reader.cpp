@@ -309,7 +309,7 @@ void TestPictureReader::refusals_data()
     };
     const std::string png = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR"s;
     const char *noPicture = "it is no PNG";
-    const char *tooLarge = "more than 100 megapixels";
+    const char *tooLarge = "more than 50 megapixels";
     row("empty", "", noPicture);
     row("text", "a letter", noPicture);
     row("png header alone", png, noPicture);

@@ -130,7 +130,7 @@ std::span<const CorePattern> errorsRest()
         {QT_TRANSLATE_NOOP("CoreWords", "give each zone a name of its own")},
         {QT_TRANSLATE_NOOP("CoreWords", "give where it lies in millimetres")},
         {QT_TRANSLATE_NOOP("CoreWords", "name a picture")},
-        {QT_TRANSLATE_NOOP("CoreWords", "the file is larger than 1 GB")},
+        {QT_TRANSLATE_NOOP("CoreWords", "the file is larger than 200 MB")},
         {QT_TRANSLATE_NOOP("CoreWords", "the file could not be read")},
         {QT_TRANSLATE_NOOP("CoreWords", "it is no PNG, JPEG, BMP, TIFF or PNM picture")},
         {QT_TRANSLATE_NOOP("CoreWords", "convert it to PNG or JPEG")},

@@ -117,7 +117,7 @@ std::span<const CorePattern> errorsVideo()
         {QT_TRANSLATE_NOOP("CoreWords", "not one whole frame is in it")},
         {QT_TRANSLATE_NOOP("CoreWords", "its time stamps span %1")},
         {QT_TRANSLATE_NOOP("CoreWords", "it says that it has %1 pixels")},
-        {QT_TRANSLATE_NOOP("CoreWords", "more than 100 megapixels or 32000 pixels a side are not read")},
+        {QT_TRANSLATE_NOOP("CoreWords", "more than 50 megapixels or 32000 pixels a side are not read")},
         {QT_TRANSLATE_NOOP("CoreWords", "picture")},
         {QT_TRANSLATE_NOOP("CoreWords", "picture '%1'")},
         {QT_TRANSLATE_NOOP("CoreWords", "it could not be packed")},
