@@ -10,7 +10,7 @@ namespace odo {
 
 namespace {
 
-constexpr double smallestPx = 200, largestPx = 8000;
+constexpr double smallestPx = 200, largestPx = 4000;
 
 Result<OutputTarget> targetOf(const CommandCall &call)
 {
@@ -40,7 +40,7 @@ Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel
         return tl::unexpected(wanted.error());
     const auto inRange = [](double px) { return px >= smallestPx && px <= largestPx; };
     if (!inRange(wanted->first) || !inRange(wanted->second))
-        return call.wrongCall(QStringLiteral("--size is from 200x200 to 8000x8000"));
+        return call.wrongCall(QStringLiteral("--size is from 200x200 to 4000x4000"));
     const auto shown = modeFromWord(QString::fromStdString(call.value(option::mode)));
     if (!shown || *shown == WindowMode::Record) // which shows no trial
         return call.wrongCall(QStringLiteral("--mode is review, compare, history or testbed"));
