@@ -30,7 +30,7 @@ struct ViewRecording
     double clockSigmaS = 0;         ///< of all of these alike
     std::uint64_t frames = 0;       ///< that the camera delivered
     std::uint64_t lostOnWire = 0;   ///< gaps in the camera's own count
-    std::uint64_t lostByUs = 0;     ///< that this program or the disk was too slow for
+    std::uint64_t lostByUs = 0;     ///< that this program or the disk was too slow for; not what `problem` cost
     std::vector<double> latenciesS; ///< of each picture, from when it was taken to when it was written
     std::vector<RecordingGap> gaps;
     double longestWaitS = 0;      ///< that a picture waited for the disk

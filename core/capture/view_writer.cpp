@@ -251,8 +251,8 @@ RecordedTimes ViewWriter::takeWritten()
     return std::exchange(m_fresh, {});
 }
 
-/// What a disk refuses may be the last pictures that were given to it, which it seemed to take. Nobody
-/// changes them any more.
+/// What a disk refuses may be the last pictures that were given to it, which it seemed to take: with what follows them they are
+/// what the problem has cost. Nobody changes them any more.
 void ViewWriter::leaveOutWhatIsNotInTheFile()
 {
     const auto reader = VideoReader::open(m_recording.file);
@@ -261,7 +261,6 @@ void ViewWriter::leaveOutWhatIsNotInTheFile()
     if (there >= pictures.size())
         return;
     const std::lock_guard lock(m_mutex);
-    m_recording.lostByUs += pictures.size() - there;
     pictures.resize(there);
     m_recording.latenciesS.resize(there);
 }

@@ -23,6 +23,7 @@ SqliteRefusal unlessShort(const SqliteRefusal &reason)
 SqliteRefusal sqliteRefusal(int resultCode, int systemError)
 {
     constexpr SqliteRefusal unknown{ErrorCode::Internal, "the database refused", "run a check of the project"};
+    constexpr SqliteRefusal full{ErrorCode::Io, "the disk is full, the change was not saved", "make room on the disk and try again"};
     switch (resultCode & 0xff) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
@@ -36,9 +37,10 @@ SqliteRefusal sqliteRefusal(int resultCode, int systemError)
     case SQLITE_CANTOPEN:
         return unlessShort({ErrorCode::ReadOnly, "its folder cannot be written to", "copy it to a folder that you may write to, and open the copy"});
     case SQLITE_FULL:
-        return {ErrorCode::Io, "the disk is full, the change was not saved",
-                "make room on the disk and try again"};
+        return full;
     case SQLITE_IOERR:
+        if (systemError == ENOSPC || systemError == EDQUOT || systemError == EFBIG)
+            return full;
         if (systemError == EROFS)
             return {ErrorCode::Io, "the disk has become read-only, the change was not saved",
                     "check the disk, and copy the project to another one"};
