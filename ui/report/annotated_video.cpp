@@ -108,10 +108,14 @@ Result<void> AnnotatedVideoJob::prepare(Project &project)
     if (m_scene->frameTimes().empty())
         return fail(ErrorCode::NotFound, what(), "the trial has no recording", "choose one that was recorded");
     for (const SceneView &view : m_scene->views) {
-        if (!files::exists(view.file))
+        std::error_code problem;
+        if (files::kindOf(view.file, problem) == files::Kind::Missing && !problem)
             return fail(ErrorCode::NotFound, what(),
                         "the recording of camera " + view.camera + " is not at '" + view.file.string() + "'",
                         "bring the file back to its place");
+        if (problem)
+            return fail(ErrorCode::Io, "file '" + view.file.string() + "'", "it cannot be read (" + problem.message() + ")",
+                        "check that you may read the file");
         m_inputs.add(view.file);
     }
     m_font = QGuiApplication::font();

@@ -10,6 +10,8 @@
 #include "ui/views/theme.h"
 
 #include <QDir>
+#include <QFile>
+#include <QFileInfo>
 #include <QGuiApplication>
 #include <QTemporaryDir>
 #include <QTest>
@@ -308,6 +310,12 @@ private Q_SLOTS:
                                                        "another, such as 0.25"));
         const std::string said = failure("Trial 3", lost);
         QVERIFY2(said.starts_with("annotated video of 'Trial 3': the recording of camera A is not at '"), said.c_str());
+        const QString place = QString::fromStdString(said).section(u'\'', 3, 3);
+        QDir().mkpath(QFileInfo(place).path());
+        QFile::link(QFileInfo(place).fileName(), place); // a loop: for whoever may look everywhere, what cannot be looked at
+        QCOMPARE(failure("Trial 3", lost), "file '" + place.toStdString() + "': it cannot be read (Too many levels of symbolic links); "
+                                                                           "check that you may read the file");
+        QFile::remove(place);
         again.target.existing = Existing::Refuse;
         std::ofstream(again.target.file) << "an older video";
         QCOMPARE(failure("Trial 1", again),
