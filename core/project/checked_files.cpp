@@ -23,16 +23,19 @@ struct FileOnDisk
     std::int64_t bytes = 0;
 };
 
-/// NotFound where there is no such file, Io where the system does not say.
+/// NotFound where there is nothing, Io where the system does not say, InvalidInput where something else is in its place.
 Result<FileOnDisk> onDisk(const std::filesystem::path &file)
 {
+    const std::string what = "file '" + file.string() + "'";
     struct stat status = {};
-    const int problem = stat(file.c_str(), &status) == 0 ? 0 : errno;
-    if (problem == 0 && S_ISREG(status.st_mode))
-        return FileOnDisk{{status.st_dev, status.st_ino}, status.st_size};
-    const bool isThere = problem == EACCES || problem == EIO;
-    return fail(isThere ? ErrorCode::Io : ErrorCode::NotFound, "file '" + file.string() + "'", std::string("it cannot be read (") + std::strerror(problem) + ")",
-                "check that the file is there and may be read");
+    if (stat(file.c_str(), &status) != 0) {
+        const bool isMissing = errno == ENOENT || errno == ENOTDIR;
+        return fail(isMissing ? ErrorCode::NotFound : ErrorCode::Io, what, std::string("it cannot be read (") + std::strerror(errno) + ")",
+                    "check that the file is there and may be read");
+    }
+    if (!S_ISREG(status.st_mode))
+        return fail(ErrorCode::InvalidInput, what, "it is a folder or a device, not a file", "put the original file back in its place");
+    return FileOnDisk{{status.st_dev, status.st_ino}, status.st_size};
 }
 
 class FileCheck

@@ -319,6 +319,11 @@ private Q_SLOTS:
             problemsAt(**project, video, false).value(0).contains(QStringLiteral("4 bytes instead of 3")));
         std::filesystem::remove(video);
         QVERIFY(problemsAt(**project, video, false).value(0).contains(QStringLiteral("is missing")));
+        std::filesystem::create_directory(video); // what is there is told
+        QVERIFY(problemsAt(**project, video, false).value(0).contains(QStringLiteral("it is a folder or a device, not a file")));
+        std::filesystem::remove(video);
+        std::filesystem::create_symlink(video.filename(), video);
+        QVERIFY(problemsAt(**project, video, false).value(0).contains(QStringLiteral("it cannot be read (Too many levels of symbolic links)")));
     }
 
     void checkFindsObservationsThatDoNotFit()
