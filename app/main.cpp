@@ -202,6 +202,12 @@ int run(int argc, char **argv)
     shareMemoryPools();
     watchForCrashes(stateFolder(), ODOGRAPH_VERSION); // where it cannot, the program does its work all the same
     dropSenselessScales();
+    for (int i = 1; i < argc; ++i) {
+        // Qt would make another name of it.
+        if (!QUtf8StringView(argv[i]).isValidUtf8())
+            return report(fail(ErrorCode::WrongCall, '\'' + std::string(argv[i]) + '\'', "it is not valid UTF-8, so it cannot be used",
+                               "rename the file or folder"));
+    }
     const std::string_view first = argc > 1 ? argv[1] : "";
     if (first == "--help" || first == "-h" || first == "help") {
         printHelp();

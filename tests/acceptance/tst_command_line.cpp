@@ -354,6 +354,7 @@ private Q_SLOTS:
         row("snapshot %P run1", 2, "-o is missing");
         row("snapshot %P nowhere -o %/x.png", 1, "nowhere");
         row("snapshot %P run1 -o %/x.png --size 10x10", 2, "--size");
+        row("snapshot %P run1 -o %/x.png --size 4001x4000", 2, "from 200x200 to 4000x4000");
         row("snapshot %P run1 -o %/nowhere/x.png", 1, "x.png");
         row("snapshot %P run1 -o %/x.png --mode dance", 2, "--mode");
         row("snapshot %P run1 -o %/x.txt", 2, ".png or .jpg");
@@ -461,6 +462,26 @@ private Q_SLOTS:
         }
         QCOMPARE(fileHash(folder + QStringLiteral("/class.odo")), before);
         QCOMPARE(QDir(folder).entryList(QDir::Files | QDir::Hidden), QStringList(QStringLiteral("class.odo")));
+    }
+
+    /// Another name would be used in its place.
+    void aNameThatIsNotUtf8IsRefused_data()
+    {
+        QTest::addColumn<QString>("arguments");
+        QTest::newRow("project") << QStringLiteral("list $'%1/caf\\xe9/P.odo'");
+        QTest::newRow("new project") << QStringLiteral("new $'%1/n\\xe9.odo'");
+        QTest::newRow("output") << QStringLiteral("export %1/class.odo run1 -o $'%1/o\\xe9.csv'");
+        QTest::newRow("window") << QStringLiteral("$'%1/caf\\xe9/P.odo'");
+    }
+    void aNameThatIsNotUtf8IsRefused()
+    {
+        QFETCH(QString, arguments);
+        const QStringList before = QDir(m_folder.path()).entryList();
+        const ProgramRun run = runCommand(QStringLiteral("bash"), {QStringLiteral("-c"), QStringLiteral("\"$ODOGRAPH_PROGRAM\" ") + arguments.arg(m_folder.path())});
+        QCOMPARE(run.exitStatus, 2);
+        QVERIFY2(run.err.endsWith("': it is not valid UTF-8, so it cannot be used; rename the file or folder\n") && run.err.count('\n') == 1, run.err);
+        QVERIFY2(run.err.contains("\\xe9"), run.err);
+        QCOMPARE(QDir(m_folder.path()).entryList(), before);
     }
 
     void helpAndVersionAnswer()
