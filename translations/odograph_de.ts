@@ -6555,6 +6555,14 @@
         <source>put it back in its place and try again</source>
         <translation>legen Sie sie an ihren Platz zurück und versuchen Sie es noch einmal</translation>
     </message>
+    <message>
+        <source>the log beside it (&apos;%1&apos;) belongs to another file or to another state of this one</source>
+        <translation>das Protokoll daneben („%1“) gehört zu einer anderen Datei oder zu einem anderen Stand dieser Datei</translation>
+    </message>
+    <message>
+        <source>move the log to another folder to open the file without it, or put the file back that the log belongs to</source>
+        <translation>verschieben Sie das Protokoll in einen anderen Ordner, um die Datei ohne es zu öffnen, oder legen Sie die Datei zurück, zu der es gehört</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

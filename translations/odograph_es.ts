@@ -6555,6 +6555,14 @@
         <source>put it back in its place and try again</source>
         <translation>devuélvalo a su sitio e inténtelo de nuevo</translation>
     </message>
+    <message>
+        <source>the log beside it (&apos;%1&apos;) belongs to another file or to another state of this one</source>
+        <translation>el registro que está a su lado («%1») pertenece a otro archivo o a otro estado de este</translation>
+    </message>
+    <message>
+        <source>move the log to another folder to open the file without it, or put the file back that the log belongs to</source>
+        <translation>mueva el registro a otra carpeta para abrir el archivo sin él, o vuelva a poner el archivo al que pertenece</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6555,6 +6555,14 @@
         <source>put it back in its place and try again</source>
         <translation>remettez-le à sa place et réessayez</translation>
     </message>
+    <message>
+        <source>the log beside it (&apos;%1&apos;) belongs to another file or to another state of this one</source>
+        <translation>le journal à côté (« %1 ») appartient à un autre fichier ou à un autre état de celui-ci</translation>
+    </message>
+    <message>
+        <source>move the log to another folder to open the file without it, or put the file back that the log belongs to</source>
+        <translation>déplacez le journal dans un autre dossier pour ouvrir le fichier sans lui, ou remettez en place le fichier auquel il appartient</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6553,6 +6553,14 @@
         <source>put it back in its place and try again</source>
         <translation>파일을 제자리에 되돌려 놓고 다시 시도하십시오</translation>
     </message>
+    <message>
+        <source>the log beside it (&apos;%1&apos;) belongs to another file or to another state of this one</source>
+        <translation>옆에 있는 로그(&apos;%1&apos;)는 다른 파일 또는 이 파일의 다른 상태에 속합니다</translation>
+    </message>
+    <message>
+        <source>move the log to another folder to open the file without it, or put the file back that the log belongs to</source>
+        <translation>로그를 다른 폴더로 옮겨 로그 없이 파일을 여시거나, 로그가 속한 파일을 제자리에 되돌려 놓으십시오</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6553,6 +6553,14 @@
         <source>put it back in its place and try again</source>
         <translation>请将其放回原处，然后重试</translation>
     </message>
+    <message>
+        <source>the log beside it (&apos;%1&apos;) belongs to another file or to another state of this one</source>
+        <translation>旁边的日志（“%1”）属于另一个文件，或属于此文件的另一个状态</translation>
+    </message>
+    <message>
+        <source>move the log to another folder to open the file without it, or put the file back that the log belongs to</source>
+        <translation>请把日志移到其他文件夹，以便不带日志打开此文件；或放回日志所属的文件</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -23,6 +23,9 @@ QString toQString(const std::filesystem::path &path)
     return QString::fromStdString(path.string());
 }
 
+/// SQLite's own. The header holds a LogMark in the place of a size that it would take instead.
+constexpr const char *usualCache = "PRAGMA cache_size=-2000";
+
 /// A file: address, in which ?, # and % of the path are told apart from the options.
 QString immutableAddress(const std::filesystem::path &file)
 {
@@ -138,7 +141,7 @@ Result<void> ProjectConnection::configure()
     harden(handle());
     for (const char *pragma :
          {"PRAGMA trusted_schema=OFF", "PRAGMA cell_size_check=ON", "PRAGMA mmap_size=0",
-          "PRAGMA temp_store=MEMORY", "PRAGMA foreign_keys=ON", "PRAGMA synchronous=FULL"}) {
+          "PRAGMA temp_store=MEMORY", "PRAGMA foreign_keys=ON", "PRAGMA synchronous=FULL", usualCache}) {
         if (auto done = execute(QString::fromLatin1(pragma)); !done)
             return done;
     }
@@ -184,7 +187,7 @@ std::string ProjectConnection::displayName() const
     return "project '" + m_file.filename().string() + "'";
 }
 
-Result<void> ProjectConnection::execute(const QString &sql)
+Result<void> ProjectConnection::execute(const QString &sql) const
 {
     return Statement(*this, sql).run();
 }
@@ -284,6 +287,22 @@ bool ProjectConnection::checkpoint(Checkpoint how) const
     const bool isDone = sqlite3_wal_checkpoint_v2(handle(), "main", mode, &logged, &written) == SQLITE_OK && logged == written;
     noteStamp();
     return isDone;
+}
+
+Result<void> ProjectConnection::setLogMark(LogMark mark) const
+{
+    if (auto done = execute(QStringLiteral("PRAGMA default_cache_size=%1").arg(mark)); !done)
+        return done;
+    return execute(QString::fromLatin1(usualCache));
+}
+
+/// In a transaction that has changed rows, before it is committed: its log belongs to this state of the file.
+Result<void> ProjectConnection::markLog() const
+{
+    const auto before = number(QStringLiteral("PRAGMA default_cache_size"));
+    if (!before)
+        return tl::unexpected(before.error());
+    return setLogMark(nextLogMark(*before > 0 ? static_cast<LogMark>(*before) : 0)); // below zero: SQLite's own size, for want of a mark
 }
 
 void ProjectConnection::countChanges() const

@@ -5,6 +5,7 @@
 #include "core/files/protected_files.h"
 #include "core/project/file_stamp.h"
 #include "core/project/log_copy.h"
+#include "core/project/log_mark.h"
 #include "core/project/records.h"
 #include "core/project/write_turn.h"
 
@@ -69,9 +70,12 @@ struct ProjectConnection
     std::string displayName() const;
 
     /// Runs one statement without parameters and without rows.
-    Result<void> execute(const QString &sql);
+    Result<void> execute(const QString &sql) const;
     /// The first column of the first row of a statement, as an integer.
     Result<std::int64_t> number(const QString &sql) const;
+
+    /// Begins a history of its own, to which the log of no other file belongs: of a database that nobody else has open.
+    Result<void> beginHistory() const { return setLogMark(newLogMark()); }
 
     /// How far the log is written back into the file. Passing does what can be done without waiting for those who read;
     /// Emptying waits for them, and makes the log empty.
@@ -90,6 +94,8 @@ private:
     bool hasUselessLog() const noexcept;
     void removeLog() const noexcept;
     void countChanges() const;
+    Result<void> setLogMark(LogMark mark) const;
+    Result<void> markLog() const;
 
     std::filesystem::path m_file;
     const OpenProjectFile m_open{m_file};
@@ -140,6 +146,7 @@ public:
 
 private:
     Result<void> start();
+    Result<void> runAlone();
     tl::unexpected<Error> failure() const;
 
     const ProjectConnection &m_connection;
@@ -162,12 +169,14 @@ public:
 
 private:
     Result<void> checkPlace() const;
+    Result<void> mark() const;
     void rollBack();
 
     ProjectConnection &m_connection;
     HeldTurn m_turn;
     bool m_open = false;
     int m_depth = 0;
+    std::int64_t m_rowsBefore = 0; ///< that the connection had changed
 };
 
 /// Runs work, which gives a Result, in one transaction that is rolled back when it fails.

@@ -44,6 +44,8 @@ int copyPages(sqlite3 *source, const std::filesystem::path &target)
             code = sqlite3_errcode(copy);
         }
     }
+    if (code == SQLITE_OK) // the log of the source is not the copy's
+        code = sqlite3_exec(copy, ("PRAGMA default_cache_size=" + std::to_string(newLogMark())).c_str(), nullptr, nullptr, nullptr);
     sqlite3_close(copy);
     return code;
 }

@@ -47,7 +47,9 @@ Result<void> makeDatabase(const std::filesystem::path &file, const std::string &
     const Migrator &migrator = projectMigrator();
     if (auto made = migrator.create(**connection, migrator.newestVersion()); !made)
         return made;
-    return setProperty(**connection, "title", normalName(title));
+    if (auto set = setProperty(**connection, "title", normalName(title)); !set)
+        return set;
+    return (*connection)->beginHistory();
 }
 
 } // namespace
@@ -152,6 +154,8 @@ Result<std::unique_ptr<Project>> Project::open(const std::filesystem::path &file
     const Migrator &migrator = projectMigrator();
     if (auto sound = checkFileHeader(file, migrator.newestVersion()); !sound)
         return tl::unexpected(namingABackup(sound.error(), file));
+    if (auto own = checkLog(file); !own)
+        return tl::unexpected(own.error());
     auto connection = connect(file, access);
     if (!connection)
         return tl::unexpected(namingABackup(connection.error(), file));

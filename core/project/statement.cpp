@@ -80,7 +80,30 @@ bool changesNothing(const QSqlQuery &query)
     return sqlite3_stmt_readonly(*static_cast<sqlite3_stmt *const *>(handle.constData())) != 0;
 }
 
+/// Ours are written in capitals; what begins or ends a transaction, or changes a setting, changes no rows.
+bool changesRows(const QSqlQuery &query)
+{
+    const QString sql = query.lastQuery();
+    return sql.startsWith(QLatin1String("INSERT")) || sql.startsWith(QLatin1String("UPDATE")) || sql.startsWith(QLatin1String("DELETE"));
+}
+
 } // namespace
+
+/// A statement outside of a transaction, in one of its own: its change gets a mark too.
+Result<void> Statement::runAlone()
+{
+    if (auto begun = m_connection.execute(QStringLiteral("BEGIN IMMEDIATE")); !begun)
+        return begun;
+    const std::int64_t rowsBefore = sqlite3_total_changes64(m_connection.handle());
+    auto done = start();
+    if (done && sqlite3_total_changes64(m_connection.handle()) != rowsBefore)
+        done = m_connection.markLog();
+    if (done)
+        done = m_connection.execute(QStringLiteral("COMMIT"));
+    if (!done && sqlite3_get_autocommit(m_connection.handle()) == 0)
+        static_cast<void>(m_connection.execute(QStringLiteral("ROLLBACK")));
+    return done;
+}
 
 Result<void> Statement::run()
 {
@@ -89,7 +112,8 @@ Result<void> Statement::run()
     const auto turn = m_connection.takeTurn();
     if (!turn)
         return tl::unexpected(turn.error());
-    auto done = start();
+    const bool isAlone = sqlite3_get_autocommit(m_connection.handle()) != 0 && m_connection.m_transactionDepth == 0;
+    auto done = isAlone && changesRows(m_query) ? runAlone() : start();
     if (m_connection.m_transactionDepth == 0) // else its end counts them
         m_connection.countChanges();
     return done;
@@ -185,6 +209,13 @@ Result<void> Transaction::checkPlace() const
     return {};
 }
 
+/// Before the outermost is committed.
+Result<void> Transaction::mark() const
+{
+    const bool isOver = sqlite3_get_autocommit(m_connection.handle()) != 0; // SQLite has rolled back by itself
+    return m_depth > 0 || isOver || sqlite3_total_changes64(m_connection.handle()) == m_rowsBefore ? Result<void>() : m_connection.markLog();
+}
+
 Result<void> Transaction::begin()
 {
     m_depth = m_connection.m_transactionDepth;
@@ -206,6 +237,7 @@ Result<void> Transaction::begin()
         return begun;
     }
     m_open = true;
+    m_rowsBefore = sqlite3_total_changes64(m_connection.handle());
     ++m_connection.m_transactionDepth;
     return {};
 }
@@ -215,6 +247,10 @@ Result<void> Transaction::commit()
     if (auto inPlace = checkPlace(); !inPlace) {
         rollBack();
         return inPlace;
+    }
+    if (auto marked = mark(); !marked) {
+        rollBack();
+        return marked;
     }
     const QString sql =
         m_depth == 0 ? QStringLiteral("COMMIT") : QStringLiteral("RELEASE step%1").arg(m_depth);

@@ -13,6 +13,8 @@ std::span<const CorePattern> errorsProject()
         {QT_TRANSLATE_NOOP("CoreWords", "put it back in its place and try again")},
         {QT_TRANSLATE_NOOP("CoreWords", "another program wrote over its file while it was open; nothing more was stored")},
         {QT_TRANSLATE_NOOP("CoreWords", "open it again; if you were recording, look for stray files (odograph check --adopt)")},
+        {QT_TRANSLATE_NOOP("CoreWords", "the log beside it ('%1') belongs to another file or to another state of this one")},
+        {QT_TRANSLATE_NOOP("CoreWords", "move the log to another folder to open the file without it, or put the file back that the log belongs to")},
         {QT_TRANSLATE_NOOP("CoreWords", "close the other program and try again")},
         {QT_TRANSLATE_NOOP("CoreWords", "it cannot be written to")},
         {QT_TRANSLATE_NOOP("CoreWords", "its folder cannot be written to")},
