@@ -6556,6 +6556,14 @@
         <translation>legen Sie sie an ihren Platz zurück und versuchen Sie es noch einmal</translation>
     </message>
     <message>
+        <source>its folder has &apos;%1&apos;, the log or journal of another file of this name</source>
+        <translation>in seinem Ordner liegt „%1“, das Protokoll oder Journal einer anderen Datei dieses Namens</translation>
+    </message>
+    <message>
+        <source>choose another name, or move &apos;%1&apos; to another folder first</source>
+        <translation>wählen Sie einen anderen Namen, oder verschieben Sie „%1“ zuerst in einen anderen Ordner</translation>
+    </message>
+    <message>
         <source>the log beside it (&apos;%1&apos;) belongs to another file or to another state of this one</source>
         <translation>das Protokoll daneben („%1“) gehört zu einer anderen Datei oder zu einem anderen Stand dieser Datei</translation>
     </message>

@@ -6556,6 +6556,14 @@
         <translation>devuélvalo a su sitio e inténtelo de nuevo</translation>
     </message>
     <message>
+        <source>its folder has &apos;%1&apos;, the log or journal of another file of this name</source>
+        <translation>su carpeta contiene «%1», el registro o diario de otro archivo con este nombre</translation>
+    </message>
+    <message>
+        <source>choose another name, or move &apos;%1&apos; to another folder first</source>
+        <translation>elija otro nombre o mueva antes «%1» a otra carpeta</translation>
+    </message>
+    <message>
         <source>the log beside it (&apos;%1&apos;) belongs to another file or to another state of this one</source>
         <translation>el registro que está a su lado («%1») pertenece a otro archivo o a otro estado de este</translation>
     </message>

@@ -6556,6 +6556,14 @@
         <translation>remettez-le à sa place et réessayez</translation>
     </message>
     <message>
+        <source>its folder has &apos;%1&apos;, the log or journal of another file of this name</source>
+        <translation>son dossier contient « %1 », le journal d’un autre fichier de ce nom</translation>
+    </message>
+    <message>
+        <source>choose another name, or move &apos;%1&apos; to another folder first</source>
+        <translation>choisissez un autre nom, ou déplacez d’abord « %1 » dans un autre dossier</translation>
+    </message>
+    <message>
         <source>the log beside it (&apos;%1&apos;) belongs to another file or to another state of this one</source>
         <translation>le journal à côté (« %1 ») appartient à un autre fichier ou à un autre état de celui-ci</translation>
     </message>

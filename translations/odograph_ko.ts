@@ -6554,6 +6554,14 @@
         <translation>파일을 제자리에 되돌려 놓고 다시 시도하십시오</translation>
     </message>
     <message>
+        <source>its folder has &apos;%1&apos;, the log or journal of another file of this name</source>
+        <translation>폴더에 &apos;%1&apos;이(가) 있습니다. 이름이 같은 다른 파일의 로그 또는 저널입니다</translation>
+    </message>
+    <message>
+        <source>choose another name, or move &apos;%1&apos; to another folder first</source>
+        <translation>다른 이름을 선택하거나 먼저 &apos;%1&apos;을(를) 다른 폴더로 옮기십시오</translation>
+    </message>
+    <message>
         <source>the log beside it (&apos;%1&apos;) belongs to another file or to another state of this one</source>
         <translation>옆에 있는 로그(&apos;%1&apos;)는 다른 파일 또는 이 파일의 다른 상태에 속합니다</translation>
     </message>

@@ -6554,6 +6554,14 @@
         <translation>请将其放回原处，然后重试</translation>
     </message>
     <message>
+        <source>its folder has &apos;%1&apos;, the log or journal of another file of this name</source>
+        <translation>其文件夹中有“%1”，它是另一个同名文件的日志</translation>
+    </message>
+    <message>
+        <source>choose another name, or move &apos;%1&apos; to another folder first</source>
+        <translation>请选择其他名称，或先把“%1”移到其他文件夹</translation>
+    </message>
+    <message>
         <source>the log beside it (&apos;%1&apos;) belongs to another file or to another state of this one</source>
         <translation>旁边的日志（“%1”）属于另一个文件，或属于此文件的另一个状态</translation>
     </message>

@@ -187,6 +187,10 @@ public:
             return refused(reason);
         if (const auto project = projectOfMedia(); !project.empty())
             return refused("it is in the media folder of project '" + project.filename().string() + "'");
+        const std::string left = m_exists ? std::string() : leftBeside();
+        if (!left.empty())
+            return fail(ErrorCode::AlreadyExists, what(), "its folder has '" + left + "', the log or journal of another file of this name",
+                        "choose another name, or move '" + left + "' to another folder first");
         return {};
     }
 
@@ -202,6 +206,18 @@ private:
     {
         const auto ends = [](const std::filesystem::path &file) { return folded(file.filename().string()).ends_with(projectEnding); };
         return kind != FileKind::Project && (ends(m_path.real) || std::ranges::any_of(m_path.named, ends));
+    }
+    /// The name of a log or journal that SQLite would apply to a new database there; empty: none.
+    std::string leftBeside() const
+    {
+        for (const char *suffix : {"-wal", "-journal"}) {
+            struct stat status{};
+            const std::string side = m_path.real.string() + suffix;
+            const bool isHarmless = ::lstat(side.c_str(), &status) != 0 || (S_ISREG(status.st_mode) && status.st_size == 0);
+            if (!isHarmless)
+                return std::filesystem::path(side).filename().string();
+        }
+        return {};
     }
     FileIdentity identity() const { return {m_status.st_dev, m_status.st_ino}; }
     /// Whether the file may be known by other names too.

@@ -47,8 +47,8 @@ struct OutputPlace
 /// kind: of what is written; nothing: not known yet, so the kind of an existing file doesn't count. Any thread; reads at most kindBytes.
 Result<OutputPlace> checkOutput(const OutputTarget &target, std::optional<FileKind> kind);
 
-/// Looks whether a project may be made there: not under the name of another one's log, lock or backup, nor in its media folder (WrongCall). Whether
-/// something has that name already, or its folder is missing, is not asked. what: for the message. Any thread.
+/// Looks whether a project may be made there: not under the name of another one's log, lock or backup, nor in its media folder (WrongCall),
+/// nor where a log or journal is left that SQLite would apply to it (AlreadyExists). Whether something has that name already, or its folder is missing, is not asked. what: for the message. Any thread.
 Result<void> checkNewProject(const std::filesystem::path &file, const std::string &what);
 
 } // namespace odo

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The log that a killed program left, and which file it is applied to.
+#include "core/files/output_guard.h"
 #include "core/project/log_mark.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -334,6 +335,34 @@ private Q_SLOTS:
         qInfo("%d looks", looks);
         const auto project = Project::open(m_file, Access::ReadOnly);
         QCOMPARE(project.value()->cameras().all().value().size(), std::size_t(1 + 2 * 2 * each));
+    }
+
+    void noProjectIsMadeBesideALogOrJournal_data()
+    {
+        QTest::addColumn<QString>("suffix");
+        QTest::newRow("log") << QStringLiteral("-wal");
+        QTest::newRow("journal") << QStringLiteral("-journal");
+    }
+    void noProjectIsMadeBesideALogOrJournal()
+    {
+        QFETCH(QString, suffix);
+        const fs::path fresh = folder() / "new.odo", side = besideFile(fresh, suffix.toStdString());
+        write(side, "left");
+        const auto refused = Project::create(fresh, "new");
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, ErrorCode::AlreadyExists);
+        const std::string left = "new.odo" + suffix.toStdString();
+        QCOMPARE(refused.error().message(), "project '" + fresh.string() + "': its folder has '" + left +
+                                                "', the log or journal of another file of this name; choose another name, or move '" + left + "' to another folder first");
+        QVERIFY(!fs::exists(fresh));
+        QCOMPARE(bytesOf(side), QByteArray("left"));
+
+        fs::remove(side);
+        fs::create_symlink(folder() / "elsewhere", side);
+        QVERIFY(!Project::create(fresh, "new"));
+        fs::remove(side);
+        write(side, {}); // nothing is in it
+        QVERIFY(Project::create(fresh, "new"));
     }
 
 private:

@@ -19,6 +19,8 @@ std::span<const CorePattern> errorsFiles()
         {QT_TRANSLATE_NOOP("CoreWords", "it is the log, the lock or a backup of a project")},
         {QT_TRANSLATE_NOOP("CoreWords", "it is in the media folder of project '%1'")},
         {QT_TRANSLATE_NOOP("CoreWords", "it is in a media folder beside a project")},
+        {QT_TRANSLATE_NOOP("CoreWords", "its folder has '%1', the log or journal of another file of this name")},
+        {QT_TRANSLATE_NOOP("CoreWords", "choose another name, or move '%1' to another folder first")},
         {QT_TRANSLATE_NOOP("CoreWords", "Odograph uses such names for temporary files")},
         {QT_TRANSLATE_NOOP("CoreWords", "it is an input of the same call")},
         {QT_TRANSLATE_NOOP("CoreWords", "it is a recording of the project")},
