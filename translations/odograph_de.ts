@@ -3488,10 +3488,6 @@
         <translation>was sich vom Boden unterscheidet, ist grau, schwarz oder weiß</translation>
     </message>
     <message>
-        <source>put a coloured plate on the robot, and draw the box round that</source>
-        <translation>setzen Sie eine farbige Platte auf den Roboter, und ziehen Sie den Rahmen um sie</translation>
-    </message>
-    <message>
         <source>it holds no colour that differs from the floor around it</source>
         <translation>er enthält keine Farbe, die sich vom Boden ringsum unterscheidet</translation>
     </message>
@@ -3518,10 +3514,6 @@
     <message>
         <source>its colour %1 is grey, and only hue tells a robot from the floor</source>
         <translation>seine Farbe %1 ist grau, und nur der Farbton unterscheidet einen Roboter vom Boden</translation>
-    </message>
-    <message>
-        <source>put a coloured plate on it and tell that colour</source>
-        <translation>setzen Sie eine farbige Platte darauf und geben Sie deren Farbe an</translation>
     </message>
     <message>
         <source>the robot&apos;s path cannot be measured</source>
@@ -3562,10 +3554,6 @@
     <message>
         <source>the robot was not found in any picture of %1</source>
         <translation>der Roboter wurde in keinem Bild von %1 gefunden</translation>
-    </message>
-    <message>
-        <source>check that the robot&apos;s colour in the project is the one in the pictures, that nothing else has it, and that the light is sufficient</source>
-        <translation>prüfen Sie, ob die Farbe des Roboters im Projekt die in den Bildern ist, nichts anderes sie hat und das Licht ausreicht</translation>
     </message>
     <message>
         <source>only cameras that are not registered to the floor saw the robot</source>
@@ -6570,6 +6558,26 @@
     <message>
         <source>move the log to another folder to open the file without it, or put the file back that the log belongs to</source>
         <translation>verschieben Sie das Protokoll in einen anderen Ordner, um die Datei ohne es zu öffnen, oder legen Sie die Datei zurück, zu der es gehört</translation>
+    </message>
+    <message>
+        <source>it is a folder or a device, not a file</source>
+        <translation>es ist ein Ordner oder Gerät, keine Datei</translation>
+    </message>
+    <message>
+        <source>put the original file back in its place</source>
+        <translation>legen Sie die ursprüngliche Datei wieder an ihren Platz</translation>
+    </message>
+    <message>
+        <source>add the robot without a colour, so that it is found by how it differs from the floor</source>
+        <translation>fügen Sie den Roboter ohne Farbe hinzu, dann wird er daran erkannt, worin er sich vom Boden unterscheidet</translation>
+    </message>
+    <message>
+        <source>tell no colour, so that it is found by how it differs from the floor</source>
+        <translation>geben Sie keine Farbe an, dann wird er daran erkannt, worin er sich vom Boden unterscheidet</translation>
+    </message>
+    <message>
+        <source>check that the robot moves in the pictures, that a colour that was told is the one it has there, and that the light is sufficient</source>
+        <translation>prüfen Sie, ob sich der Roboter in den Bildern bewegt, ob eine angegebene Farbe die dort sichtbare ist und ob das Licht ausreicht</translation>
     </message>
 </context>
 <context>
@@ -12388,10 +12396,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Farbe der Oberseite</translation>
     </message>
     <message>
-        <source>In charts and maps; it is tracked by the colour of its top</source>
-        <translation>In Diagrammen und Karten; verfolgt wird er nach der Farbe seiner Oberseite</translation>
-    </message>
-    <message>
         <source>&amp;Drawn in</source>
         <translation>&amp;Gezeichnet in</translation>
     </message>
@@ -12406,6 +12410,26 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Change robot</source>
         <translation>Roboter ändern</translation>
+    </message>
+    <message>
+        <source>How it differs from the floor</source>
+        <translation>Unterschied zum Boden</translation>
+    </message>
+    <message>
+        <source>A colour of its own</source>
+        <translation>Eigene Farbe</translation>
+    </message>
+    <message>
+        <source>A robot of any look is found by how it differs from the floor. A colour of its own helps where several things move.</source>
+        <translation>Ein Roboter von beliebigem Aussehen wird daran erkannt, worin er sich vom Boden unterscheidet. Eine eigene Farbe hilft, wo sich mehreres bewegt.</translation>
+    </message>
+    <message>
+        <source>&amp;Found by</source>
+        <translation>&amp;Erkannt an</translation>
+    </message>
+    <message>
+        <source>In charts and maps, whatever the robot looks like</source>
+        <translation>In Diagrammen und Karten, wie auch immer der Roboter aussieht</translation>
     </message>
 </context>
 <context>
@@ -12481,6 +12505,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>delete robot %1</source>
         <translation>Roboter %1 löschen</translation>
+    </message>
+    <message>
+        <source>any look</source>
+        <translation>beliebiges Aussehen</translation>
     </message>
 </context>
 <context>

@@ -3488,10 +3488,6 @@
         <translation>lo que difiere del suelo de alrededor es gris, negro o blanco</translation>
     </message>
     <message>
-        <source>put a coloured plate on the robot, and draw the box round that</source>
-        <translation>ponga una placa de color en el robot y dibuje el recuadro alrededor de ella</translation>
-    </message>
-    <message>
         <source>it holds no colour that differs from the floor around it</source>
         <translation>no contiene ningún color distinto del suelo de alrededor</translation>
     </message>
@@ -3518,10 +3514,6 @@
     <message>
         <source>its colour %1 is grey, and only hue tells a robot from the floor</source>
         <translation>su color %1 es gris, y solo el tono distingue un robot del suelo</translation>
-    </message>
-    <message>
-        <source>put a coloured plate on it and tell that colour</source>
-        <translation>póngale una placa de color e indique ese color</translation>
     </message>
     <message>
         <source>the robot&apos;s path cannot be measured</source>
@@ -3562,10 +3554,6 @@
     <message>
         <source>the robot was not found in any picture of %1</source>
         <translation>el robot no se encontró en ninguna imagen de %1</translation>
-    </message>
-    <message>
-        <source>check that the robot&apos;s colour in the project is the one in the pictures, that nothing else has it, and that the light is sufficient</source>
-        <translation>compruebe que el color del robot en el proyecto es el de las imágenes, que nada más lo tiene y que la luz basta</translation>
     </message>
     <message>
         <source>only cameras that are not registered to the floor saw the robot</source>
@@ -6570,6 +6558,26 @@
     <message>
         <source>move the log to another folder to open the file without it, or put the file back that the log belongs to</source>
         <translation>mueva el registro a otra carpeta para abrir el archivo sin él, o vuelva a poner el archivo al que pertenece</translation>
+    </message>
+    <message>
+        <source>it is a folder or a device, not a file</source>
+        <translation>es una carpeta o un dispositivo, no un archivo</translation>
+    </message>
+    <message>
+        <source>put the original file back in its place</source>
+        <translation>vuelva a poner el archivo original en su sitio</translation>
+    </message>
+    <message>
+        <source>add the robot without a colour, so that it is found by how it differs from the floor</source>
+        <translation>añada el robot sin color, para que se encuentre por lo que lo distingue del suelo</translation>
+    </message>
+    <message>
+        <source>tell no colour, so that it is found by how it differs from the floor</source>
+        <translation>no indique ningún color, para que se encuentre por lo que lo distingue del suelo</translation>
+    </message>
+    <message>
+        <source>check that the robot moves in the pictures, that a colour that was told is the one it has there, and that the light is sufficient</source>
+        <translation>compruebe que el robot se mueve en las imágenes, que un color indicado es el que tiene allí y que la luz es suficiente</translation>
     </message>
 </context>
 <context>
@@ -12388,10 +12396,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Color de la cara superior</translation>
     </message>
     <message>
-        <source>In charts and maps; it is tracked by the colour of its top</source>
-        <translation>En gráficas y mapas; se rastrea por el color de su cara superior</translation>
-    </message>
-    <message>
         <source>&amp;Drawn in</source>
         <translation>&amp;Dibujado en</translation>
     </message>
@@ -12406,6 +12410,26 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Change robot</source>
         <translation>Cambiar robot</translation>
+    </message>
+    <message>
+        <source>How it differs from the floor</source>
+        <translation>Lo que lo distingue del suelo</translation>
+    </message>
+    <message>
+        <source>A colour of its own</source>
+        <translation>Un color propio</translation>
+    </message>
+    <message>
+        <source>A robot of any look is found by how it differs from the floor. A colour of its own helps where several things move.</source>
+        <translation>Un robot de cualquier aspecto se encuentra por lo que lo distingue del suelo. Un color propio ayuda cuando se mueven varias cosas.</translation>
+    </message>
+    <message>
+        <source>&amp;Found by</source>
+        <translation>&amp;Se encuentra por</translation>
+    </message>
+    <message>
+        <source>In charts and maps, whatever the robot looks like</source>
+        <translation>En gráficos y mapas, sea cual sea el aspecto del robot</translation>
     </message>
 </context>
 <context>
@@ -12481,6 +12505,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>delete robot %1</source>
         <translation>eliminar el robot %1</translation>
+    </message>
+    <message>
+        <source>any look</source>
+        <translation>cualquier aspecto</translation>
     </message>
 </context>
 <context>

@@ -3488,10 +3488,6 @@
         <translation>ce qui diffère du sol autour est gris, noir ou blanc</translation>
     </message>
     <message>
-        <source>put a coloured plate on the robot, and draw the box round that</source>
-        <translation>posez une plaque colorée sur le robot, et tracez le cadre autour</translation>
-    </message>
-    <message>
         <source>it holds no colour that differs from the floor around it</source>
         <translation>il ne contient aucune couleur différente du sol autour</translation>
     </message>
@@ -3518,10 +3514,6 @@
     <message>
         <source>its colour %1 is grey, and only hue tells a robot from the floor</source>
         <translation>sa couleur %1 est grise, et seule la teinte distingue un robot du sol</translation>
-    </message>
-    <message>
-        <source>put a coloured plate on it and tell that colour</source>
-        <translation>posez dessus une plaque colorée et indiquez cette couleur</translation>
     </message>
     <message>
         <source>the robot&apos;s path cannot be measured</source>
@@ -3562,10 +3554,6 @@
     <message>
         <source>the robot was not found in any picture of %1</source>
         <translation>le robot n’a été trouvé dans aucune image de %1</translation>
-    </message>
-    <message>
-        <source>check that the robot&apos;s colour in the project is the one in the pictures, that nothing else has it, and that the light is sufficient</source>
-        <translation>vérifiez que la couleur du robot dans le projet est celle des images, que rien d’autre ne l’a et que la lumière suffit</translation>
     </message>
     <message>
         <source>only cameras that are not registered to the floor saw the robot</source>
@@ -6570,6 +6558,26 @@
     <message>
         <source>move the log to another folder to open the file without it, or put the file back that the log belongs to</source>
         <translation>déplacez le journal dans un autre dossier pour ouvrir le fichier sans lui, ou remettez en place le fichier auquel il appartient</translation>
+    </message>
+    <message>
+        <source>it is a folder or a device, not a file</source>
+        <translation>c’est un dossier ou un périphérique, pas un fichier</translation>
+    </message>
+    <message>
+        <source>put the original file back in its place</source>
+        <translation>remettez le fichier d’origine à sa place</translation>
+    </message>
+    <message>
+        <source>add the robot without a colour, so that it is found by how it differs from the floor</source>
+        <translation>ajoutez le robot sans couleur, pour qu’il soit trouvé par ce qui le distingue du sol</translation>
+    </message>
+    <message>
+        <source>tell no colour, so that it is found by how it differs from the floor</source>
+        <translation>n’indiquez aucune couleur, pour qu’il soit trouvé par ce qui le distingue du sol</translation>
+    </message>
+    <message>
+        <source>check that the robot moves in the pictures, that a colour that was told is the one it has there, and that the light is sufficient</source>
+        <translation>vérifiez que le robot se déplace dans les images, qu’une couleur indiquée est bien celle qu’il y a, et que la lumière suffit</translation>
     </message>
 </context>
 <context>
@@ -12388,10 +12396,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Couleur du sommet</translation>
     </message>
     <message>
-        <source>In charts and maps; it is tracked by the colour of its top</source>
-        <translation>Dans les graphiques et les cartes&#xa0;; il est suivi par la couleur de son sommet</translation>
-    </message>
-    <message>
         <source>&amp;Drawn in</source>
         <translation>&amp;Dessiné en</translation>
     </message>
@@ -12406,6 +12410,26 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Change robot</source>
         <translation>Modifier le robot</translation>
+    </message>
+    <message>
+        <source>How it differs from the floor</source>
+        <translation>Ce qui le distingue du sol</translation>
+    </message>
+    <message>
+        <source>A colour of its own</source>
+        <translation>Une couleur à lui</translation>
+    </message>
+    <message>
+        <source>A robot of any look is found by how it differs from the floor. A colour of its own helps where several things move.</source>
+        <translation>Un robot de n’importe quel aspect est trouvé par ce qui le distingue du sol. Une couleur à lui aide quand plusieurs choses bougent.</translation>
+    </message>
+    <message>
+        <source>&amp;Found by</source>
+        <translation>&amp;Trouvé par</translation>
+    </message>
+    <message>
+        <source>In charts and maps, whatever the robot looks like</source>
+        <translation>Dans les graphiques et les cartes, quel que soit l’aspect du robot</translation>
     </message>
 </context>
 <context>
@@ -12481,6 +12505,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>delete robot %1</source>
         <translation>suppression du robot %1</translation>
+    </message>
+    <message>
+        <source>any look</source>
+        <translation>aspect quelconque</translation>
     </message>
 </context>
 <context>

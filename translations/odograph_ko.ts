@@ -3486,10 +3486,6 @@
         <translation>주변 바닥과 다른 부분이 회색, 검정 또는 흰색입니다</translation>
     </message>
     <message>
-        <source>put a coloured plate on the robot, and draw the box round that</source>
-        <translation>로봇에 색 판을 얹고 그 둘레에 상자를 그리십시오</translation>
-    </message>
-    <message>
         <source>it holds no colour that differs from the floor around it</source>
         <translation>주변 바닥과 다른 색이 없습니다</translation>
     </message>
@@ -3516,10 +3512,6 @@
     <message>
         <source>its colour %1 is grey, and only hue tells a robot from the floor</source>
         <translation>색 %1이(가) 회색인데, 로봇은 색상으로만 바닥과 구별됩니다</translation>
-    </message>
-    <message>
-        <source>put a coloured plate on it and tell that colour</source>
-        <translation>색 판을 얹고 그 색을 지정하십시오</translation>
     </message>
     <message>
         <source>the robot&apos;s path cannot be measured</source>
@@ -3560,10 +3552,6 @@
     <message>
         <source>the robot was not found in any picture of %1</source>
         <translation>%1의 어느 영상에서도 로봇을 찾지 못했습니다</translation>
-    </message>
-    <message>
-        <source>check that the robot&apos;s colour in the project is the one in the pictures, that nothing else has it, and that the light is sufficient</source>
-        <translation>프로젝트의 로봇 색이 영상과 같은지, 다른 것이 그 색이 아닌지, 빛이 충분한지 확인하십시오</translation>
     </message>
     <message>
         <source>only cameras that are not registered to the floor saw the robot</source>
@@ -6568,6 +6556,26 @@
     <message>
         <source>move the log to another folder to open the file without it, or put the file back that the log belongs to</source>
         <translation>로그를 다른 폴더로 옮겨 로그 없이 파일을 여시거나, 로그가 속한 파일을 제자리에 되돌려 놓으십시오</translation>
+    </message>
+    <message>
+        <source>it is a folder or a device, not a file</source>
+        <translation>파일이 아니라 폴더 또는 장치입니다</translation>
+    </message>
+    <message>
+        <source>put the original file back in its place</source>
+        <translation>원래 파일을 제자리에 되돌려 놓으십시오</translation>
+    </message>
+    <message>
+        <source>add the robot without a colour, so that it is found by how it differs from the floor</source>
+        <translation>색 없이 로봇을 추가하십시오. 그러면 바닥과 다른 점으로 찾습니다</translation>
+    </message>
+    <message>
+        <source>tell no colour, so that it is found by how it differs from the floor</source>
+        <translation>색을 지정하지 마십시오. 그러면 바닥과 다른 점으로 찾습니다</translation>
+    </message>
+    <message>
+        <source>check that the robot moves in the pictures, that a colour that was told is the one it has there, and that the light is sufficient</source>
+        <translation>로봇이 영상에서 움직이는지, 지정한 색이 영상에서의 색과 같은지, 조명이 충분한지 확인하십시오</translation>
     </message>
 </context>
 <context>
@@ -12369,10 +12377,6 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>윗면 색(&amp;C)</translation>
     </message>
     <message>
-        <source>In charts and maps; it is tracked by the colour of its top</source>
-        <translation>차트와 지도에 쓰는 색입니다. 추적에는 윗면 색을 씁니다</translation>
-    </message>
-    <message>
         <source>&amp;Drawn in</source>
         <translation>표시 색(&amp;D)</translation>
     </message>
@@ -12387,6 +12391,26 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Change robot</source>
         <translation>로봇 변경</translation>
+    </message>
+    <message>
+        <source>How it differs from the floor</source>
+        <translation>바닥과 다른 점</translation>
+    </message>
+    <message>
+        <source>A colour of its own</source>
+        <translation>고유한 색</translation>
+    </message>
+    <message>
+        <source>A robot of any look is found by how it differs from the floor. A colour of its own helps where several things move.</source>
+        <translation>어떤 모습의 로봇이든 바닥과 다른 점으로 찾습니다. 여러 물체가 움직이는 곳에서는 고유한 색이 도움이 됩니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Found by</source>
+        <translation>찾는 방법(&amp;F)</translation>
+    </message>
+    <message>
+        <source>In charts and maps, whatever the robot looks like</source>
+        <translation>로봇의 모습과 상관없이 차트와 지도에 쓰이는 색</translation>
     </message>
 </context>
 <context>
@@ -12462,6 +12486,10 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>delete robot %1</source>
         <translation>로봇 %1 삭제</translation>
+    </message>
+    <message>
+        <source>any look</source>
+        <translation>어떤 모습이든</translation>
     </message>
 </context>
 <context>

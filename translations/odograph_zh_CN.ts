@@ -3486,10 +3486,6 @@
         <translation>与周围地面不同的部分是灰、黑或白色</translation>
     </message>
     <message>
-        <source>put a coloured plate on the robot, and draw the box round that</source>
-        <translation>请在机器人上放彩色板，并围着它画框</translation>
-    </message>
-    <message>
         <source>it holds no colour that differs from the floor around it</source>
         <translation>其中没有与周围地面不同的颜色</translation>
     </message>
@@ -3516,10 +3512,6 @@
     <message>
         <source>its colour %1 is grey, and only hue tells a robot from the floor</source>
         <translation>其颜色 %1 为灰色，而只有色相能把机器人与地面区分</translation>
-    </message>
-    <message>
-        <source>put a coloured plate on it and tell that colour</source>
-        <translation>请放上彩色板并给出其颜色</translation>
     </message>
     <message>
         <source>the robot&apos;s path cannot be measured</source>
@@ -3560,10 +3552,6 @@
     <message>
         <source>the robot was not found in any picture of %1</source>
         <translation>在 %1 的任何画面中都没有找到机器人</translation>
-    </message>
-    <message>
-        <source>check that the robot&apos;s colour in the project is the one in the pictures, that nothing else has it, and that the light is sufficient</source>
-        <translation>请检查项目中机器人的颜色与画面一致、别无他物有此颜色，且光线充足</translation>
     </message>
     <message>
         <source>only cameras that are not registered to the floor saw the robot</source>
@@ -6568,6 +6556,26 @@
     <message>
         <source>move the log to another folder to open the file without it, or put the file back that the log belongs to</source>
         <translation>请把日志移到其他文件夹，以便不带日志打开此文件；或放回日志所属的文件</translation>
+    </message>
+    <message>
+        <source>it is a folder or a device, not a file</source>
+        <translation>它是文件夹或设备，不是文件</translation>
+    </message>
+    <message>
+        <source>put the original file back in its place</source>
+        <translation>请把原来的文件放回原处</translation>
+    </message>
+    <message>
+        <source>add the robot without a colour, so that it is found by how it differs from the floor</source>
+        <translation>请添加没有颜色的机器人，这样会按它与地面的差别来寻找</translation>
+    </message>
+    <message>
+        <source>tell no colour, so that it is found by how it differs from the floor</source>
+        <translation>不要指定颜色，这样会按它与地面的差别来寻找</translation>
+    </message>
+    <message>
+        <source>check that the robot moves in the pictures, that a colour that was told is the one it has there, and that the light is sufficient</source>
+        <translation>请检查机器人在画面中是否移动、指定的颜色是否与画面中的一致、光线是否充足</translation>
     </message>
 </context>
 <context>
@@ -12369,10 +12377,6 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>顶面颜色(&amp;C)</translation>
     </message>
     <message>
-        <source>In charts and maps; it is tracked by the colour of its top</source>
-        <translation>用于图表和地图；跟踪则依据顶面颜色</translation>
-    </message>
-    <message>
         <source>&amp;Drawn in</source>
         <translation>绘图颜色(&amp;D)</translation>
     </message>
@@ -12387,6 +12391,26 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Change robot</source>
         <translation>更改机器人</translation>
+    </message>
+    <message>
+        <source>How it differs from the floor</source>
+        <translation>与地面的差别</translation>
+    </message>
+    <message>
+        <source>A colour of its own</source>
+        <translation>自己的颜色</translation>
+    </message>
+    <message>
+        <source>A robot of any look is found by how it differs from the floor. A colour of its own helps where several things move.</source>
+        <translation>任何外观的机器人都按它与地面的差别来寻找。有多个物体移动时，自己的颜色会有帮助。</translation>
+    </message>
+    <message>
+        <source>&amp;Found by</source>
+        <translation>寻找依据(&amp;F)</translation>
+    </message>
+    <message>
+        <source>In charts and maps, whatever the robot looks like</source>
+        <translation>用于图表和地图，与机器人的外观无关</translation>
     </message>
 </context>
 <context>
@@ -12462,6 +12486,10 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>delete robot %1</source>
         <translation>删除机器人 %1</translation>
+    </message>
+    <message>
+        <source>any look</source>
+        <translation>任何外观</translation>
     </message>
 </context>
 <context>

@@ -51,14 +51,15 @@ Result<RgbColour> pickedColour(const CommandCall &call)
     return picked ? Result<RgbColour>(picked->colour) : tl::unexpected(picked.error());
 }
 
-Result<RgbColour> colourFrom(const CommandCall &call)
+/// None: a robot of any look.
+Result<std::optional<RgbColour>> colourFrom(const CommandCall &call)
 {
     if (call.isSet(option::colour) && call.isSet(option::pick))
         return call.wrongCall(QStringLiteral("--colour and --pick are two colours"));
     if (call.isSet(option::pick))
         return pickedColour(call);
     if (!call.isSet(option::colour))
-        return call.wrongCall(QStringLiteral("--colour is missing, or --pick and --box in its place"));
+        return std::nullopt;
     const auto colour = parseColour(call.value(option::colour));
     if (!colour)
         return call.wrongCall(QString::fromStdString(colour.error().what + " is " + colour.error().why));
@@ -99,12 +100,12 @@ Result<void> runRobot(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call(
         {QStringLiteral("robot"),
-         QStringLiteral("add P.odo NAME --colour #rrggbb|--pick FILE --box x,y,w,h [--frame N] [--height "
+         QStringLiteral("add P.odo NAME [--colour #rrggbb|--pick FILE --box x,y,w,h [--frame N]] [--height "
                         "60mm|auto|free] "
                         "[--size 260x190]"),
          3,
          3,
-         {{option::colour, QStringLiteral("The robot's colour."), QStringLiteral("#rrggbb")},
+         {{option::colour, QStringLiteral("The robot's colour, where it has one of its own; without it the robot may have any look."), QStringLiteral("#rrggbb")},
           {option::pick, QStringLiteral("A video or picture to take the colour from."), QStringLiteral("FILE")},
           {option::box, QStringLiteral("A box closely round the robot in it, in pixels from the top left."),
            QStringLiteral("x,y,w,h")},
@@ -128,9 +129,10 @@ Result<void> runRobot(const QStringList &arguments, const CancelToken &cancel)
     const auto added = changing(**project, "add robot " + robot->name, [&] { return (*project)->robots().add(*robot); });
     if (!added)
         return tl::unexpected(added.error());
-    const QString name = QString::fromStdString(added->name), colour = QString::fromStdString(added->colour.toString());
-    call.answer({{QStringLiteral("robot"), name}, {QStringLiteral("colour"), colour}},
-                QStringLiteral("Robot %1 added, colour %2.").arg(name, colour));
+    const QString name = QString::fromStdString(added->name), colour = added->colour ? QString::fromStdString(added->colour->toString()) : QString();
+    call.answer({{QStringLiteral("robot"), name}, {QStringLiteral("colour"), colour.isEmpty() ? QJsonValue() : QJsonValue(colour)}},
+                colour.isEmpty() ? QStringLiteral("Robot %1 added; it may have any look.").arg(name)
+                                 : QStringLiteral("Robot %1 added, colour %2.").arg(name, colour));
     return {};
 }
 

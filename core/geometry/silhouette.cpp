@@ -33,6 +33,36 @@ std::vector<Vector2d> footprint(const SolidShape &shape, double headingRad)
     return {along + across, along - across, -along - across, -along + across};
 }
 
+/// Corners of a level about the solid's place, along and across its heading.
+void addCorners(const SolidLevel &level, double roundShare, std::vector<Vector2d> &corners)
+{
+    constexpr double leastRadiusM = 0.002; // a smaller one is not seen
+    const double radius = roundShare * std::min(level.frontM + level.backM, level.leftM + level.rightM) / 2;
+    for (const double forward : {1.0, -1.0}) {
+        for (const double left : {1.0, -1.0}) {
+            const Vector2d corner(forward > 0 ? level.frontM : -level.backM, left > 0 ? level.leftM : -level.rightM);
+            if (radius < leastRadiusM) {
+                corners.push_back(corner);
+                continue;
+            }
+            const Vector2d middle = corner - radius * Vector2d(forward, left);
+            for (const Vector2d &direction : {Vector2d(1, 0), Vector2d(std::numbers::sqrt2 / 2, std::numbers::sqrt2 / 2), Vector2d(0, 1)})
+                corners.emplace_back(middle + radius * direction.cwiseProduct(Vector2d(forward, left)));
+        }
+    }
+}
+
+bool addPixels(const FloorView &view, const std::vector<Vector2d> &places, double heightM, std::vector<Vector2d> &pixels)
+{
+    for (const Vector2d &place : places) {
+        const auto pixel = view.pixelFromWorld({place.x(), place.y(), heightM});
+        if (!pixel)
+            return false;
+        pixels.push_back(*pixel);
+    }
+    return true;
+}
+
 } // namespace
 
 std::optional<RegionMoments> silhouetteMoments(const FloorView &view, const SolidShape &shape,
@@ -40,17 +70,24 @@ std::optional<RegionMoments> silhouetteMoments(const FloorView &view, const Soli
 {
     endIfCancelled(); // whoever fits a solid asks for thousands
     std::vector<Vector2d> pixels;
-    for (const Vector2d &corner : footprint(shape, headingRad)) {
-        const Vector2d place = positionInWorld + corner;
-        for (const double height : {shape.baseM, shape.topM}) {
-            const auto pixel = view.pixelFromWorld({place.x(), place.y(), height});
-            if (!pixel)
+    if (shape.form == SolidShape::Form::Levels) {
+        const Vector2d along(std::cos(headingRad), std::sin(headingRad)), across(-along.y(), along.x());
+        std::vector<Vector2d> corners;
+        for (const SolidLevel &level : shape.levels) {
+            corners.clear();
+            addCorners(level, shape.roundShare, corners);
+            for (Vector2d &corner : corners)
+                corner = positionInWorld + corner.x() * along + corner.y() * across;
+            if (!addPixels(view, corners, level.heightM, pixels))
                 return std::nullopt;
-            pixels.push_back(*pixel);
-            if (shape.baseM == shape.topM)
-                break;
         }
+        return polygonMoments(convexHull(std::move(pixels)));
     }
+    std::vector<Vector2d> corners = footprint(shape, headingRad);
+    for (Vector2d &corner : corners)
+        corner += positionInWorld;
+    if (!addPixels(view, corners, shape.baseM, pixels) || (shape.baseM != shape.topM && !addPixels(view, corners, shape.topM, pixels)))
+        return std::nullopt;
     return polygonMoments(convexHull(std::move(pixels)));
 }
 

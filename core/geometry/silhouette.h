@@ -5,24 +5,34 @@
 #include "core/geometry/region_moments.h"
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 
 namespace odo {
 
-/// The coloured solid of a robot: an upright box or cylinder between two heights above the floor. A plate on
+/// A horizontal rectangle of a solid. Its sides lie along and across the heading, so far from the place that the solid is said to stand at.
+struct SolidLevel
+{
+    double heightM = 0; ///< above the floor
+    double frontM = 0, backM = 0, leftM = 0, rightM = 0;
+};
+
+/// The solid of a robot: an upright box or cylinder between two heights above the floor, or the convex hull of three levels. A plate on
 /// a robot of another colour has equal heights. Metres.
 struct SolidShape
 {
-    enum class Form { Box, Cylinder };
+    enum class Form { Box, Cylinder, Levels };
     Form form = Form::Box;
-    double lengthM = 0, widthM = 0; ///< along and across the heading; of a cylinder both are the diameter
+    double lengthM = 0, widthM = 0; ///< along and across the heading, of all of it; of a cylinder both are the diameter
     double baseM = 0, topM = 0;     ///< above the floor
+    std::array<SolidLevel, 3> levels = {}; ///< of Form::Levels, from below; the middle of what they cover is the place
+    double roundShare = 0;                 ///< of Form::Levels: radius of their corners against half of their shorter side, 0 to 1
 };
 
 /// What a view sees of the solid whose footprint's centre stands at a place of the floor, its length turned
 /// by headingRad from the world's X: the moments of the outline that its projected edges enclose (for a
 /// convex solid the convex hull of its corners; a circle is taken as 24 corners of the same area). Edges
-/// count as straight between corners: over the size of a robot a lens bends them by less than 0.05 px.
+/// count as straight between corners, and a round corner as three: over the size of a robot a lens bends them by less than 0.05 px.
 /// nullopt: a corner lies behind the camera, or where the lens model folds.
 std::optional<RegionMoments> silhouetteMoments(const FloorView &view, const SolidShape &shape,
                                                const Eigen::Vector2d &positionInWorld, double headingRad);

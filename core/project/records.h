@@ -93,7 +93,7 @@ struct RobotRecord
 {
     RecordId id = 0;
     std::string name;
-    RgbColour colour; ///< by which it is tracked
+    std::optional<RgbColour> colour; ///< by which it is tracked; none: by how it differs from the background
     enum class Height { Told, Automatic, Free } heightMode = Height::Automatic;
     std::optional<double> heightM;          ///< when Told
     std::optional<double> lengthM, widthM;

@@ -20,12 +20,25 @@ std::optional<double> sizeOf(const Statement &row, int column)
     return size ? std::optional(std::clamp(*size, 0.0, double(largestRobotM))) : size;
 }
 
+/// As it is stored: nothing for a robot of any look.
+std::string storedColour(const RobotRecord &robot)
+{
+    return robot.colour ? robot.colour->toString() : std::string();
+}
+
+Result<std::optional<RgbColour>> colourOf(const std::string &stored)
+{
+    if (stored.empty())
+        return std::nullopt;
+    return parseColour(stored);
+}
+
 Result<RobotRecord> robotOf(const Statement &row)
 {
     RobotRecord robot;
     robot.id = row.integer(0);
     robot.name = row.name(1);
-    const auto colour = parseColour(row.text(2));
+    const auto colour = colourOf(row.text(2));
     if (!colour)
         return tl::unexpected(colour.error());
     const auto mode = fromStoredWord(heightModeWords, row.text(3), "robot '" + robot.name + "'");
@@ -87,7 +100,7 @@ Result<RobotRecord> RobotRepository::add(const RobotRecord &given)
                          QStringLiteral("INSERT INTO robot (name, colour, height_mode, height_m, "
                                         "length_m, width_m, drawing_colour) VALUES (?,?,?,?,?,?,?)"));
         insert.bind(robot.name)
-            .bind(robot.colour.toString())
+            .bind(storedColour(robot))
             .bind(storedWord(heightModeWords, robot.heightMode));
         insert.bind(robot.heightM).bind(robot.lengthM).bind(robot.widthM);
         if (auto done = insert.bind(storedWord(drawingColourWords, robot.drawingColour)).run(); !done)
@@ -149,7 +162,7 @@ Result<void> RobotRepository::set(const RobotRecord &given)
                 return isFree;
         Statement update(m_connection, QStringLiteral("UPDATE robot SET name=?, colour=?, height_mode=?, height_m=?, "
                                                       "length_m=?, width_m=?, drawing_colour=? WHERE id=?"));
-        update.bind(robot.name).bind(robot.colour.toString()).bind(storedWord(heightModeWords, robot.heightMode));
+        update.bind(robot.name).bind(storedColour(robot)).bind(storedWord(heightModeWords, robot.heightMode));
         update.bind(robot.heightM).bind(robot.lengthM).bind(robot.widthM);
         return update.bind(storedWord(drawingColourWords, robot.drawingColour)).bind(robot.id).run();
     });

@@ -23,6 +23,11 @@ bool sameLayout(const FrameFormat &a, const FrameFormat &b)
 
 } // namespace
 
+bool isFoundByColour(const TrackTarget &target)
+{
+    return target.colour && chromaOf(*target.colour, FrameFormat{}).norm() >= leastSaturation;
+}
+
 struct ColourTracker::Impl
 {
     std::vector<TrackTarget> targets;
@@ -243,15 +248,15 @@ Result<std::unique_ptr<ColourTracker>> ColourTracker::create(std::vector<TrackTa
         return fail(ErrorCode::InvalidInput, "Cannot track", "no robot is given",
                     "add a robot with its colour first");
     for (const TrackTarget &target : targets) {
-        if (chromaOf(target.colour, FrameFormat{}).norm() < leastSaturation)
+        if (!isFoundByColour(target))
             return fail(ErrorCode::InvalidInput, "Cannot track robot " + target.name,
-                        "its colour " + target.colour.toString() +
+                        "its colour " + (target.colour ? target.colour->toString() : std::string()) +
                             " is grey, and only hue tells a robot from the floor",
-                        "put a coloured plate on it and tell that colour");
+                        "tell no colour, so that it is found by how it differs from the floor");
     }
     auto impl = std::make_unique<Impl>();
     for (const TrackTarget &target : targets)
-        impl->followers.emplace_back(target.colour);
+        impl->followers.emplace_back(*target.colour);
     impl->targets = std::move(targets);
     return std::unique_ptr<ColourTracker>(new ColourTracker(std::move(impl)));
 }

@@ -12,12 +12,15 @@
 
 namespace odo {
 
-/// A robot as the tracker needs to know it.
+/// A robot as a tracker needs to know it.
 struct TrackTarget
 {
     std::string name;
-    RgbColour colour;
+    std::optional<RgbColour> colour; ///< none: of any look
 };
+
+/// Whether a colour was told that has chroma: black, grey and white have none, and robots of them are found as those of any look are.
+bool isFoundByColour(const TrackTarget &target);
 
 /// Follows one or more coloured robots through the frames of one view, on the chroma planes as decoded.
 /// The told colour only has to be near what the camera shows: each robot's own look is learned when it is
@@ -26,7 +29,7 @@ struct TrackTarget
 class ColourTracker
 {
 public:
-    /// InvalidInput when there is no target, or one of a colour without chroma (black, grey, white), of which
+    /// InvalidInput when there is no target, or one without a colour or of one without chroma (black, grey, white), of which
     /// the chroma planes show nothing.
     static Result<std::unique_ptr<ColourTracker>> create(std::vector<TrackTarget> targets);
     ~ColourTracker();

@@ -124,7 +124,7 @@ Result<PickedColour> pickColour(const Frame &frame, const PixelRect &box)
     if (standing.grey >= leastShareOfBox)
         return fail(ErrorCode::Undetermined, what,
                     "what differs from the floor around it is grey, black or white",
-                    "put a coloured plate on the robot, and draw the box round that");
+                    "add the robot without a colour, so that it is found by how it differs from the floor");
     return fail(ErrorCode::Undetermined, what, "it holds no colour that differs from the floor around it",
                 "draw it closely round the robot, or put a plate of another colour on it");
 }

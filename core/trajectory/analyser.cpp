@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/analyser.h"
 
-#include "core/trajectory/axis_track.h"
 #include "core/trajectory/coloured_part.h"
 #include "core/trajectory/floor_positions.h"
 #include "core/trajectory/free_height.h"
@@ -9,7 +8,7 @@
 #include "core/trajectory/outline_noise.h"
 #include "core/trajectory/overrules.h"
 #include "core/trajectory/plane_choice.h"
-#include "core/trajectory/shape_estimation.h"
+#include "core/trajectory/solid_choice.h"
 #include "core/trajectory/track_profile.h"
 #include "core/trajectory/view_alignment.h"
 #include "core/trajectory/view_clock.h"
@@ -81,8 +80,8 @@ Result<void> checkViews(const std::vector<ViewTrack> &views)
         return fail(
             ErrorCode::Undetermined, cannotMeasurePath,
             "the robot was not found in any picture of " + joinNames(namesOf(views)),
-            "check that the robot's colour in the project is the one in the pictures, that nothing else "
-            "has it, and that the light is sufficient");
+            "check that the robot moves in the pictures, that a colour that was told is the one it has there, and "
+            "that the light is sufficient");
     if (foundRegistered == 0)
         return fail(ErrorCode::Undetermined, cannotMeasurePath,
                     "only cameras that are not registered to the floor saw the robot",
@@ -123,21 +122,19 @@ std::vector<std::vector<Sighting>> lookAtPlane(const std::vector<ViewTrack> &vie
 std::optional<PlacedRobot> placeSolid(const std::vector<ViewTrack> &views,
                                       const std::vector<Nanoseconds> &times, const RobotShape &told)
 {
-    const auto estimate = estimateShape(views, told);
-    if (!estimate)
+    auto solid = findSolid(views, told);
+    if (!solid)
         return std::nullopt;
-    const SolidShape &shape = estimate->shape;
     PlacedRobot placed;
-    auto seen = placeBody(views, shape, trackAxis(views, shape));
     for (std::size_t v = 0; v < views.size(); ++v) {
-        placed.views.push_back(views[v].floorView ? sightingsAt(times, seen[v])
+        placed.views.push_back(views[v].floorView ? sightingsAt(times, solid->seen[v])
                                                   : std::vector<Sighting>(times.size()));
-        seen[v] = {};
+        solid->seen[v] = {};
     }
-    const double sigmaTopM = estimate->heightEstimated ? estimate->sigmaTopM : toldHeightSigmaM;
-    placed.planeSigmaM = sigmaTopM * middleHeightM(shape) / shape.topM;
-    placed.heightM = shape.topM;
-    placed.estimated = estimate->heightEstimated;
+    const double sigmaTopM = told.heightM ? toldHeightSigmaM : solid->sigmaTopM;
+    placed.planeSigmaM = sigmaTopM * middleHeightM(solid->shape) / solid->shape.topM;
+    placed.heightM = solid->shape.topM;
+    placed.estimated = !told.heightM;
     return placed;
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <span>
 
 namespace odo {
@@ -194,6 +195,27 @@ std::vector<std::vector<BodyAxis>> trackAxis(const std::vector<ViewTrack> &views
     for (std::size_t i = 0; i < all.size(); ++i)
         axes[all.place(i).view][all.place(i).observation] = smoothed[i];
     return axes;
+}
+
+std::vector<std::vector<BodyAxis>> refineDirections(const std::vector<ViewTrack> &views, const SolidShape &shape,
+                                                    std::vector<std::vector<BodyAxis>> directed)
+{
+    AxisNodes all(views, shape);
+    const auto known = [&](std::size_t i) -> BodyAxis & { return directed[all.place(i).view][all.place(i).observation]; };
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const auto misfit = known(i).sigmaRad <= unknownAxisSigmaRad ? all.misfit(i) : std::nullopt;
+        const auto axis = misfit ? axisNear(*misfit, known(i).angleRad) : std::nullopt;
+        if (axis && axis->sigmaRad < unknownAxisSigmaRad)
+            all.measure(i, *axis);
+    }
+    const std::vector<BodyAxis> smoothed = smooth(all);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (known(i).sigmaRad > unknownAxisSigmaRad || smoothed[i].sigmaRad > unknownAxisSigmaRad)
+            continue;
+        const double before = known(i).angleRad;
+        known(i) = {before + std::remainder(smoothed[i].angleRad - before, std::numbers::pi), smoothed[i].sigmaRad};
+    }
+    return directed;
 }
 
 } // namespace odo

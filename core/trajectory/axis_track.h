@@ -15,4 +15,8 @@ namespace odo {
 /// not registered give nothing.
 std::vector<std::vector<BodyAxis>> trackAxis(const std::vector<ViewTrack> &views, const SolidShape &shape);
 
+/// The same for a solid whose two ends differ, near the directions that are known (directedAxes), which tell front from back.
+std::vector<std::vector<BodyAxis>> refineDirections(const std::vector<ViewTrack> &views, const SolidShape &shape,
+                                                    std::vector<std::vector<BodyAxis>> directed);
+
 } // namespace odo

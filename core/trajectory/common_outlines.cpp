@@ -50,6 +50,7 @@ std::optional<RegionMoments> outlineAt(const ViewTrack &view, Nanoseconds time)
 CommonOutlines outlinesAt(const std::vector<ViewTrack> &views, Nanoseconds time)
 {
     CommonOutlines common;
+    common.time = time;
     for (const ViewTrack &view : views) {
         if (!view.floorView)
             continue;

@@ -18,6 +18,7 @@ struct CommonOutlines
         RegionMoments moments;
     };
     std::vector<Outline> outlines; ///< at least one
+    Nanoseconds time{0};           ///< of the first view's clock
 };
 
 /// Outlines at up to `most` times spread evenly over the run, of as many views each as saw it: those of other

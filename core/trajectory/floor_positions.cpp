@@ -50,11 +50,11 @@ bool canBePlaced(const Observation &observation, const Sighting &sighting)
 }
 
 void layAt(Sighting &sighting, const FloorView &view, const Eigen::Vector2d &pixel,
-           const Eigen::Matrix2d &covariance, double planeM)
+           const Eigen::Matrix2d &covariance, double planeM, double unexplainedPx = 0)
 {
     const auto place = view.locate(pixel, covariance, planeM);
-    const auto lasting =
-        view.locate(pixel, Eigen::Matrix2d::Identity() * lastingSigmaPx * lastingSigmaPx, planeM);
+    const double lastingVariancePx2 = lastingSigmaPx * lastingSigmaPx + unexplainedPx * unexplainedPx;
+    const auto lasting = view.locate(pixel, Eigen::Matrix2d::Identity() * lastingVariancePx2, planeM);
     if (place && place->pointInWorld.allFinite() && place->pixelCovariance.allFinite()) {
         sighting.seen = true;
         sighting.place = *place;
@@ -136,7 +136,7 @@ struct BodySightings
     double areaShare = 0;       ///< the usual doubt about an area
 };
 
-BodySightings placeInView(const ViewTrack &view, const SolidShape &shape, const std::vector<BodyAxis> &axes)
+BodySightings placeInView(const ViewTrack &view, const SolidShape &shape, const std::vector<BodyAxis> &axes, const SolidDoubt &doubt)
 {
     BodySightings placed;
     placed.excess.resize(view.observations.size());
@@ -152,8 +152,11 @@ BodySightings placeInView(const ViewTrack &view, const SolidShape &shape, const 
         if (pixel)
             layAt(sighting, *view.floorView, pixel->pixel,
                   usableCovariance(observation.centreCovariancePx2) + pixel->covariance,
-                  middleHeightM(shape));
+                  middleHeightM(shape), doubt.unexplainedPx);
         if (sighting.seen) {
+            const Eigen::Vector2d forward(std::cos(axes[i].angleRad), std::sin(axes[i].angleRad)), left(-forward.y(), forward.x());
+            sighting.place.calibrationCovariance += doubt.forwardM * doubt.forwardM * forward * forward.transpose() +
+                                                    doubt.leftM * doubt.leftM * left * left.transpose();
             placed.excess[i] = areaExcess(*view.floorView, shape, observation, sighting, axes[i]);
             areaShares.push_back(sigmaOfOutline(outlineMoments(observation)).areaShare);
             if (!sighting.cut)
@@ -206,12 +209,12 @@ std::vector<double> usualExcess(const std::vector<BodySightings> &views)
 } // namespace
 
 std::vector<std::vector<Sighting>> placeBody(const std::vector<ViewTrack> &views, const SolidShape &shape,
-                                             const std::vector<std::vector<BodyAxis>> &axes)
+                                             const std::vector<std::vector<BodyAxis>> &axes, const SolidDoubt &doubt)
 {
     std::vector<BodySightings> placed(views.size());
     for (std::size_t v = 0; v < views.size(); ++v) {
         if (views[v].floorView)
-            placed[v] = placeInView(views[v], shape, axes[v]);
+            placed[v] = placeInView(views[v], shape, axes[v], doubt);
     }
     const std::vector<double> usual = usualExcess(placed);
     std::vector<std::vector<Sighting>> sightings;

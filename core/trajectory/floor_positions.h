@@ -27,13 +27,21 @@ struct Sighting
 /// goes into the calibration's part of the covariance.
 std::vector<Sighting> placeObservations(const ViewTrack &view, double planeM);
 
+/// What is not known of a solid: what it leaves of the outlines' centroids over parts of a run, and where the place is in it.
+struct SolidDoubt
+{
+    double unexplainedPx = 0;
+    double forwardM = 0, leftM = 0;
+};
+
 /// Each view's observations, each laid where the solid must stand, turned as `axes` says at its time, that
 /// its silhouette has the centroid that was seen: positions of the footprint's centre. The axis's σ goes into
 /// the pixels' part. An outline whose area is not that of the solid (but for the few per cent by which a view
 /// may see it larger or smaller throughout) shows a part of the robot, or more than the robot: its score
-/// becomes 0. Views that are not registered give nothing.
+/// becomes 0. Views that are not registered give nothing. The doubt about the solid goes into the calibration's part of the covariance, for
+/// it lasts.
 std::vector<std::vector<Sighting>> placeBody(const std::vector<ViewTrack> &views, const SolidShape &shape,
-                                             const std::vector<std::vector<BodyAxis>> &axes);
+                                             const std::vector<std::vector<BodyAxis>> &axes, const SolidDoubt &doubt = {});
 
 /// The median distance between successive sightings' times, seen or not; 0 for fewer than two.
 Nanoseconds typicalInterval(const std::vector<Sighting> &sightings);

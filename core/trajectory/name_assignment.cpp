@@ -253,13 +253,14 @@ std::optional<double> toldPlane(const std::vector<NamedRobot> &robots,
 std::vector<std::vector<std::size_t>> robotsOfLikeColours(const std::vector<NamedRobot> &robots)
 {
     std::vector<std::vector<std::size_t>> groups;
-    const auto hue = [&](std::size_t robot) { return hueOf(chromaOf(robots[robot].colour, FrameFormat{})); };
+    const auto areAlike = [&](std::size_t a, std::size_t b) {
+        const auto hueA = toldHue(robots[a]), hueB = toldHue(robots[b]);
+        return hueA && hueB ? std::abs(hueDifference(*hueA, *hueB)) < confusableHueRad : hueA.has_value() == hueB.has_value();
+    };
     for (std::size_t robot = 0; robot < robots.size(); ++robot) {
         std::vector<std::size_t> group;
         std::erase_if(groups, [&](const std::vector<std::size_t> &earlier) {
-            const bool near = std::any_of(earlier.begin(), earlier.end(), [&](std::size_t other) {
-                return std::abs(hueDifference(hue(robot), hue(other))) < confusableHueRad;
-            });
+            const bool near = std::any_of(earlier.begin(), earlier.end(), [&](std::size_t other) { return areAlike(robot, other); });
             if (near)
                 group.insert(group.end(), earlier.begin(), earlier.end());
             return near;

@@ -13,7 +13,7 @@ namespace odo {
 /// A robot as far as it helps to tell who is who.
 struct NamedRobot
 {
-    RgbColour colour;              ///< told
+    std::optional<RgbColour> colour; ///< told
     std::optional<double> heightM; ///< of its top; empty: estimated
 };
 
@@ -27,7 +27,7 @@ struct NamedView
     double clockRate = 0; ///< by how much its clock runs faster than the first view's
 };
 
-/// The robots in groups whose told colours might be taken for one another; a robot of a colour of its own is a group.
+/// The robots in groups whose told colours might be taken for one another, and those without a colour; a robot of a colour of its own is a group.
 std::vector<std::vector<std::size_t>> robotsOfLikeColours(const std::vector<NamedRobot> &robots);
 
 /// Decides which robot is which, in all views at once, where colours alone may not have: robots that overlap

@@ -88,7 +88,7 @@ std::vector<FloorMoment> gatherMoments(const std::vector<NamedView> &views,
 /// Mean of what all robots' hues together are off. It does not depend on who is who, as long as all are
 /// there.
 double hueShiftOf(const NamedView &view, const std::vector<std::size_t> &considered,
-                  const std::vector<double> &told)
+                  const std::vector<std::optional<double>> &told)
 {
     double sum = 0, count = 0;
     const std::size_t frames = view.robots[considered.front()].size();
@@ -97,8 +97,8 @@ double hueShiftOf(const NamedView &view, const std::vector<std::size_t> &conside
         bool all = true;
         for (std::size_t k = 0; all && k < considered.size(); ++k) {
             const Observation &observation = view.robots[considered[k]][i];
-            all = isSure(observation) && !observation.meanChroma.isZero();
-            shift += hueDifference(hueOf(observation.meanChroma), told[k]);
+            all = told[k] && isSure(observation) && !observation.meanChroma.isZero();
+            shift += all ? hueDifference(hueOf(observation.meanChroma), *told[k]) : 0;
         }
         if (!all)
             continue;
@@ -109,6 +109,11 @@ double hueShiftOf(const NamedView &view, const std::vector<std::size_t> &conside
 }
 
 } // namespace
+
+std::optional<double> toldHue(const NamedRobot &robot)
+{
+    return robot.colour ? std::optional(hueOf(chromaOf(*robot.colour, FrameFormat{}))) : std::nullopt;
+}
 
 double hueOf(const Eigen::Vector2d &chroma)
 {
@@ -125,7 +130,7 @@ NameEvidence gatherEvidence(const std::vector<NamedView> &views, const std::vect
 {
     NameEvidence evidence;
     for (const std::size_t robot : considered)
-        evidence.toldHueRad.push_back(hueOf(chromaOf(robots[robot].colour, FrameFormat{})));
+        evidence.toldHueRad.push_back(toldHue(robots[robot]));
     for (std::size_t v = 0; v < views.size(); ++v) {
         for (std::size_t slot = 0; slot < considered.size(); ++slot) {
             for (const Tracklet &tracklet :

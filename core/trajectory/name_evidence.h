@@ -38,12 +38,15 @@ struct NameEvidence
     std::vector<TrackletOf> tracklets; ///< in order of their begin
     std::vector<FloorMoment> moments;  ///< every 50 ms, where at least two views saw anything; in order
     std::vector<double> hueShiftRad;   ///< for each view, of all its robots against their told colours
-    std::vector<double> toldHueRad;    ///< for each robot
+    std::vector<std::optional<double>> toldHueRad; ///< for each robot; none where no colour was told
 };
 
 /// robots: indices of those considered.
 NameEvidence gatherEvidence(const std::vector<NamedView> &views, const std::vector<NamedRobot> &robots,
                             const std::vector<std::size_t> &considered);
+
+/// Of the colour that was told, if one was.
+std::optional<double> toldHue(const NamedRobot &robot);
 
 /// Hue of a chroma, and the distance of two in (−π, π].
 double hueOf(const Eigen::Vector2d &chroma);

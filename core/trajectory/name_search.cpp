@@ -117,10 +117,11 @@ private:
         const Eigen::Vector2d &seen = begun.tracklet.meanChroma;
         if (seen.isZero())
             return 0;
-        const double hue =
-            hueDifference(hueOf(seen) - m_evidence.hueShiftRad[begun.view], m_evidence.toldHueRad[name]) /
-            hueSigmaRad;
-        double cost = std::min(mostHueCost, 0.5 * hue * hue);
+        double cost = 0;
+        if (const auto told = m_evidence.toldHueRad[name]) {
+            const double hue = hueDifference(hueOf(seen) - m_evidence.hueShiftRad[begun.view], *told) / hueSigmaRad;
+            cost = std::min(mostHueCost, 0.5 * hue * hue);
+        }
         if (m_knowledge.looks.empty())
             return cost;
         const Eigen::Vector2d &look = m_knowledge.looks[begun.view][name];

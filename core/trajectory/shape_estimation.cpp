@@ -20,7 +20,7 @@ constexpr double independentTimes =
     4; // the outlines' errors repeat wherever the robot is seen from the same side
 constexpr double placeSigmaPx =
     0.7; // of a centroid against the other views', the registration's error being in it
-constexpr double worstShapeMisfit = 4, goodMisfit = 1.5;
+constexpr double goodMisfit = 1.5;
 constexpr double impossible = 1e3; // a residual, where the solid would lie behind the camera
 constexpr double guessM = 0.2, guessHeightM = 0.1;
 // A simpler solid is taken unless another explains the outlines so much better.
@@ -259,7 +259,7 @@ std::optional<ShapeEstimate> estimateShape(const std::vector<ViewTrack> &views, 
         if (!best || fit->misfit < handicap * best->misfit)
             best = fit;
     }
-    if (!best || best->misfit > worstShapeMisfit)
+    if (!best)
         return std::nullopt;
     return ShapeEstimate{best->solid, best->sigmaTopM, !told.heightM, best->misfit};
 }

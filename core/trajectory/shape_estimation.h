@@ -24,8 +24,10 @@ struct ShapeEstimate
 /// least squares of the outlines' centroids, areas and second moments over all views (Ceres, Cauchy's loss
 /// against outlines that are hidden in part). The views' disagreement about the place tells the height, the
 /// outlines' forms tell height and size. σ takes the errors of the outlines as shared by all frames of a
-/// quarter of the run. nullopt: fewer than five clear outlines, or no such solid explains them (misfit above
-/// 4). Pure.
+/// quarter of the run. nullopt: fewer than five clear outlines. Pure.
+/// Beyond this misfit no such solid explains the outlines.
+constexpr double worstShapeMisfit = 4;
+
 std::optional<ShapeEstimate> estimateShape(const std::vector<ViewTrack> &views, const RobotShape &told);
 
 } // namespace odo

@@ -119,7 +119,7 @@ Result<void> ImportTracksJob::readRobots(Project &project)
         RobotRecord fresh;
         fresh.name = track.first;
         fresh.colour = freshColour(*robots);
-        m_warnings.push_back("robot '" + fresh.name + "' is new: it was added with the colour " + fresh.colour.toString());
+        m_warnings.push_back("robot '" + fresh.name + "' is new: it was added with the colour " + fresh.colour->toString());
         robots->push_back(fresh);
         m_imported.push_back({std::move(fresh), {}, {}});
     }

@@ -95,7 +95,7 @@ std::vector<SslNumber> sslNumbers(const std::vector<RobotRecord> &robots)
     std::vector<SslNumber> numbers;
     std::uint32_t yellow = 0, blue = 0;
     for (const RobotRecord &robot : robots) {
-        const auto hue = hueOf(robot.colour);
+        const auto hue = robot.colour ? hueOf(*robot.colour) : std::nullopt;
         const bool isBlue = hue && *hue > 150 && *hue < 330;
         numbers.push_back({!isBlue, isBlue ? blue++ : yellow++});
     }

@@ -4,7 +4,6 @@
 #include "core/base/percentile.h"
 #include "core/base/shortage.h"
 #include "core/base/steady_now.h"
-#include "core/tracking/colour_tracker.h"
 #include "core/workflow/view_tracking.h"
 
 #include <algorithm>
@@ -66,7 +65,9 @@ Result<std::unique_ptr<LiveTracker>> LiveTracker::create(const std::vector<LiveV
     for (View &view : live->m_views) {
         if (targets.empty())
             break;
-        auto tracker = ColourTracker::create(targets);
+        if (needsBackground(targets))
+            view.background.emplace();
+        auto tracker = RobotTracker::create(targets, {});
         if (!tracker)
             return tl::unexpected(tracker.error());
         view.tracker = std::move(*tracker);
@@ -100,6 +101,10 @@ void LiveTracker::follow(std::size_t view)
         LiveSight sight{view, std::move(*picture), {}};
         Frame &frame = sight.picture.captured.frame;
         frame.time = sight.picture.taken; // all views are told by one clock
+        if (own.background) {
+            if (auto newer = own.background->add(frame))
+                own.tracker->setBackground(std::move(*newer));
+        }
         if (own.tracker)
             sight.observations = own.tracker->track(frame);
         place(std::move(sight));

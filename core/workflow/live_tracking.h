@@ -4,7 +4,8 @@
 #include "core/base/bounded_queue.h"
 #include "core/capture/synchroniser.h"
 #include "core/project/records.h"
-#include "core/tracking/observation.h"
+#include "core/tracking/live_background.h"
+#include "core/tracking/robot_tracker.h"
 #include "core/trajectory/live_track.h"
 #include "core/workflow/task_analysis.h"
 
@@ -16,8 +17,6 @@
 #include <vector>
 
 namespace odo {
-
-class ColourTracker;
 
 /// A view's picture with what the tracker saw in it: an observation a robot, stamped with when the picture
 /// was taken by this machine's steady clock.
@@ -94,7 +93,8 @@ private:
     {
         LiveView view;
         Feed feed;
-        std::unique_ptr<ColourTracker> tracker;    ///< of the view's thread
+        std::unique_ptr<RobotTracker> tracker;     ///< of the view's thread
+        std::optional<LiveBackground> background;  ///< likewise; where a robot of any look is followed
         std::vector<std::deque<Observation>> kept; ///< of each robot
         std::thread thread;
     };

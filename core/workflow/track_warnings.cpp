@@ -84,6 +84,8 @@ std::optional<FloorColour> floorColourOf(const RobotRecord &robot, const std::st
                                          const std::vector<RegisteredView> &views,
                                          const std::vector<TrackedView> &tracked, std::size_t robotIndex)
 {
+    if (!robot.colour)
+        return std::nullopt;
     std::size_t worst = 0;
     double share = 0;
     for (std::size_t v = 0; v < tracked.size(); ++v) {
@@ -95,7 +97,7 @@ std::optional<FloorColour> floorColourOf(const RobotRecord &robot, const std::st
     if (share <= mostOfPicture)
         return std::nullopt;
     return FloorColour{{ErrorCode::Undetermined, robotInTrial(robot.name, trialName),
-                        "its colour " + robot.colour.toString() + " is also that of the floor (" +
+                        "its colour " + robot.colour->toString() + " is also that of the floor (" +
                             std::to_string(std::lround(100 * share)) + " % of view " +
                             views[worst].recording.cameraName + "'s picture)",
                         "put a plate of another colour on it, or tell the colour it really has"},

@@ -5,8 +5,9 @@
 #include "core/project/instant_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/tracking/colour_tracker.h"
+#include "core/tracking/robot_tracker.h"
 #include "core/video/frame_stream.h"
+#include "core/workflow/view_background.h"
 
 #include <atomic>
 #include <chrono>
@@ -16,7 +17,7 @@ namespace odo {
 
 namespace {
 
-constexpr const char *trackerVersion = "colour-ellipse 1";
+constexpr const char *colourVersion = "colour-ellipse 1", *silhouetteVersion = "silhouette 1"; // of what found the robot
 constexpr std::size_t framesAhead = 8;
 
 /// Counts the pictures of all views and reports now and then; any thread.
@@ -42,21 +43,35 @@ private:
     std::mutex m_mutex;
 };
 
-/// None without a robot.
-Result<std::unique_ptr<ColourTracker>> trackerOf(const std::vector<RobotRecord> &robots)
+std::vector<TrackTarget> targetsOf(const std::vector<RobotRecord> &robots)
 {
-    if (robots.empty())
-        return nullptr;
     std::vector<TrackTarget> targets;
     for (const RobotRecord &robot : robots)
         targets.push_back({robot.name, robot.colour});
-    return ColourTracker::create(std::move(targets));
+    return targets;
+}
+
+/// None without a robot.
+Result<std::unique_ptr<RobotTracker>> trackerFor(const RegisteredView &view, const std::vector<RobotRecord> &robots, const JobControl &control,
+                                                 SharedProgress &progress)
+{
+    if (robots.empty())
+        return nullptr;
+    const std::vector<TrackTarget> targets = targetsOf(robots);
+    std::optional<Background> background;
+    if (needsBackground(targets)) {
+        auto learned = learnBackground(view, control.cancel, [&progress] { progress.countPicture(); });
+        if (!learned)
+            return tl::unexpected(learned.error());
+        background = std::move(*learned);
+    }
+    return RobotTracker::create(targets, std::move(background));
 }
 
 Result<TrackedView> trackView(const RegisteredView &view, const std::vector<RobotRecord> &robots,
                               const JobControl &control, SharedProgress &progress, WithLight light)
 {
-    const auto tracker = trackerOf(robots);
+    const auto tracker = trackerFor(view, robots, control, progress);
     if (!tracker)
         return tl::unexpected(tracker.error());
     auto reader = VideoReader::open(view.file, control.cancel);
@@ -70,7 +85,7 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
     TrackedView tracked;
     LightMeter lightMeter;
     for (const RobotRecord &robot : robots)
-        tracked.series.push_back({view.recording.id, robot.id, trackerVersion, {}});
+        tracked.series.push_back({view.recording.id, robot.id, isFoundByColour({robot.name, robot.colour}) ? colourVersion : silhouetteVersion, {}});
     const std::vector<Nanoseconds> &times = view.recording.frameTimes;
     for (ObservationSeries &series : tracked.series)
         series.observations.reserve(times.size());
@@ -113,6 +128,8 @@ Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &v
     std::int64_t total = 0;
     for (const RegisteredView &view : views)
         total += static_cast<std::int64_t>(view.recording.frameTimes.size());
+    if (needsBackground(targetsOf(robots))) // for which everything is read twice
+        total *= 2;
     SharedProgress progress(control, total);
 
     std::vector<Result<TrackedView>> results(views.size(), TrackedView{});
@@ -150,6 +167,7 @@ RobotShape shapeOf(const RobotRecord &robot)
     if (robot.heightMode == RobotRecord::Height::Told)
         shape.heightM = robot.heightM;
     shape.heightVaries = robot.heightMode == RobotRecord::Height::Free;
+    shape.anyLook = !isFoundByColour({robot.name, robot.colour});
     shape.lengthM = robot.lengthM;
     shape.widthM = robot.widthM;
     return shape;

@@ -255,7 +255,6 @@ private Q_SLOTS:
         row("new %/x.odo --title=two\nlines", 1, "it holds a line break");
         row("demo", 2, "something is missing");
         row("demo %/a.mkv", 1, "demo");
-        row("robot add %P blue", 2, "--colour is missing");
         row("robot add %P blue --colour red", 2, "#rrggbb");
         row("robot add %P blue --colour #0000ff --height tall", 2, "not a length");
         row("robot add %P blue --colour #0000ff --size 26", 2, "AxB");

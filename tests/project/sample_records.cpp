@@ -201,7 +201,7 @@ Result<FilledProject> fill(Project &project, RecordSource &source)
         const auto b = project.cameras().add({0, "Б", ""});
         const auto layout = project.layouts().add(source.layout("hall"));
         const auto robot =
-            project.robots().add({0, "red", {0xd7, 0x23, 0x28}, RobotRecord::Height::Told, 0.06, {}, {}});
+            project.robots().add({0, "red", RgbColour{0xd7, 0x23, 0x28}, RobotRecord::Height::Told, 0.06, {}, {}});
         const auto team = project.teams().add({0, "Los Niños", "8b"});
         const auto task = project.tasks().add({0, "line", source.task()});
         const auto intrinsics = project.cameras().addIntrinsics(source.calibration(a->id));

@@ -87,7 +87,7 @@ private Q_SLOTS:
         robot.heightM = 0.08;
         QVERIFY(m_project->robots().set(robot));
         QCOMPARE(m_project->robots().find("Red")->heightM, std::optional(0.08));
-        QCOMPARE(m_project->robots().find("Red")->colour.toString(), std::string("#010203"));
+        QCOMPARE(m_project->robots().find("Red")->colour->toString(), std::string("#010203"));
         robot.heightM.reset();
         QCOMPARE(m_project->robots().set(robot).error().code, ErrorCode::InvalidInput);
         RobotRecord spare;

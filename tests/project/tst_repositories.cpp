@@ -161,9 +161,10 @@ private Q_SLOTS:
     void robotsRoundTrip()
     {
         using Height = RobotRecord::Height;
-        const RobotRecord wanted[] = {{0, "red", {1, 2, 255}, Height::Told, m_source.positive() / 200, 0.26, 0.19, DrawingColour::SkyBlue},
-                                      {0, "blau", {0, 0, 0}, Height::Automatic, {}, {}, {}},
-                                      {0, "機器人", {9, 9, 9}, Height::Free, {}, 0.3, {}}};
+        const RobotRecord wanted[] = {{0, "red", RgbColour{1, 2, 255}, Height::Told, m_source.positive() / 200, 0.26, 0.19, DrawingColour::SkyBlue},
+                                      {0, "blau", RgbColour{0, 0, 0}, Height::Automatic, {}, {}, {}},
+                                      {0, "機器人", RgbColour{9, 9, 9}, Height::Free, {}, 0.3, {}},
+                                      {0, "of any look", {}, Height::Automatic, {}, {}, {}}};
         for (const RobotRecord &robot : wanted)
             QVERIFY((*m_project)->robots().add(robot).has_value());
         m_project->reopen();
@@ -184,7 +185,7 @@ private Q_SLOTS:
         QCOMPARE(unknown.error().code, ErrorCode::NotFound);
         QCOMPARE(
             unknown.error().message(),
-            std::string("robot 'x': there is no such robot in the project; it has 'red', 'blau', '機器人'"));
+            std::string("robot 'x': there is no such robot in the project; it has 'red', 'blau', '機器人', 'of any look'"));
         QCOMPARE((*m_project)->robots().add(wanted[0]).error().code, ErrorCode::AlreadyExists);
     }
 

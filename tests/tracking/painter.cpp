@@ -108,6 +108,13 @@ void Painter::light(double gain)
         pixel *= gain;
 }
 
+void Painter::shade(const Eigen::Vector2d &low, const Eigen::Vector2d &high, double gain)
+{
+    for (int y = std::max(0, int(low.y())); y < std::min(m_format.height, int(high.y())); ++y)
+        for (int x = std::max(0, int(low.x())); x < std::min(m_format.width, int(high.x())); ++x)
+            at(x, y) *= gain;
+}
+
 /// The weights of the luma pixels −1, 0 and +1 from the first one that a chroma sample stands for.
 std::array<double, 3> Painter::taps(int shift, double offset)
 {

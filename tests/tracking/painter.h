@@ -24,8 +24,9 @@ public:
     void disc(const Eigen::Vector2d &centre, double radius, RgbColour colour);
     void ellipse(const Eigen::Vector2d &centre, double a, double b, double angleRad, RgbColour colour);
     void rectangle(const Eigen::Vector2d &low, const Eigen::Vector2d &high, RgbColour colour);
-    /// Multiplies what was painted so far, in RGB.
+    /// Multiplies what was painted so far, in RGB; or the pixels of a rectangle, as a shadow does.
     void light(double gain);
+    void shade(const Eigen::Vector2d &low, const Eigen::Vector2d &high, double gain);
 
     Frame frame(std::int64_t index, double timeS, double noiseSigma, std::mt19937 &random) const;
 

@@ -270,7 +270,7 @@ void TestColourTracker::greyIsRefused()
         const QString message = QString::fromStdString(tracker.error().message());
         QVERIFY2(message.contains(QStringLiteral("rover")), qPrintable(message));
         QVERIFY2(message.contains(QString::fromStdString(grey.toString())), qPrintable(message));
-        QVERIFY2(message.contains(QStringLiteral("; put a coloured plate")), qPrintable(message));
+        QVERIFY2(message.contains(QStringLiteral("; tell no colour")), qPrintable(message));
     }
 }
 

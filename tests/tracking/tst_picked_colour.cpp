@@ -135,8 +135,8 @@ private Q_SLOTS:
         QTest::newRow("a black robot on wood") << "#202020"
                                                << "#b09470" << 1.5
                                                << "colour in the box: what differs from the floor around it "
-                                                  "is grey, black or white; put a coloured plate on the "
-                                                  "robot, and draw the box round that";
+                                                  "is grey, black or white; add the robot without a "
+                                                  "colour, so that it is found by how it differs from the floor";
     }
     void whatHoldsNoColourIsRefused()
     {

@@ -372,7 +372,7 @@ private Q_SLOTS:
             observation.found = false;
         const auto lost = analyse({a}, told, {});
         QVERIFY(!lost);
-        QVERIFY(lost.error().message().find("not found in any picture of A; check that the robot's colour") !=
+        QVERIFY(lost.error().message().find("not found in any picture of A; check that the robot moves") !=
                 std::string::npos);
         QVERIFY(!analyse({}, told, {}));
         const auto word = parseSmoother("butter");

@@ -38,7 +38,7 @@ Result<FoundOffset> found(const std::vector<ViewTrack> &tracks)
     std::vector<NamedView> views;
     for (const ViewTrack &track : tracks)
         views.push_back({track.floorView, Nanoseconds(0), {track.observations}});
-    const auto motion = motionTracks(views, {{{215, 35, 40}, 0.06}}, {"red"});
+    const auto motion = motionTracks(views, {{RgbColour{215, 35, 40}, 0.06}}, {"red"});
     std::vector<ClipEvidence> evidence(2);
     for (std::size_t v = 0; v < 2; ++v)
         evidence[v].tracks = motion[v];

@@ -99,6 +99,7 @@ private Q_SLOTS:
     void oneCameraUnregisteredOrOfAnotherSize();
     void aViewThatStalls();
     void noRobotSeenAndNoneKnown();
+    void aRobotOfAnyLookIsFoundOnceItHasMoved();
     void whatIsTooFastIsDroppedAndCounted();
     void saysHowFarBehindTheMapIs();
 };
@@ -197,10 +198,20 @@ void TestLiveTracking::noRobotSeenAndNoneKnown()
     live->reset();
     QVERIFY(none.moments.empty());
     QCOMPARE(none.sights[0], 6);
+}
 
-    Drive black("circle");
-    black.robots.front().colour = {0, 0, 0};
-    QCOMPARE(black.follow().error().code, ErrorCode::InvalidInput);
+void TestLiveTracking::aRobotOfAnyLookIsFoundOnceItHasMoved()
+{
+    Drive drive("circle");
+    drive.robots.front().colour.reset();
+    auto live = drive.follow();
+    QVERIFY(live);
+    drive.play(0, 6);
+    live->reset();
+    const auto [rms, count] = drive.positionRms();
+    // The place is learned while it leaves its own first place; the silhouette's centre stands for that of the solid.
+    QVERIFY2(count > 100, qPrintable(QString::number(count)));
+    QVERIFY2(rms < 0.04, qPrintable(QString::number(rms)));
 }
 
 void TestLiveTracking::whatIsTooFastIsDroppedAndCounted()

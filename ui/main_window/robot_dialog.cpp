@@ -22,7 +22,8 @@ constexpr int robotSwatchSide = 16;
 } // namespace
 
 RobotDialog::RobotDialog(QList<PickableVideo> videos, QWidget *parent)
-    : QDialog(parent), m_videos(std::move(videos)), m_name(new QLineEdit), m_colourButton(new QPushButton),
+    : QDialog(parent), m_videos(std::move(videos)), m_name(new QLineEdit), m_look(new QComboBox), m_colourButton(new QPushButton),
+      m_pickButton(new QPushButton(tr("From a &picture…"))),
       m_drawing(new QComboBox), m_heightMode(new QComboBox), m_height(new NumberBox),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel))
 {
@@ -36,10 +37,13 @@ RobotDialog::RobotDialog(QList<PickableVideo> videos, QWidget *parent)
     m_height->setAccessibleName(tr("Height of the robot's top"));
     auto *form = new QFormLayout;
     form->addRow(tr("&Name"), m_name);
-    auto *pick = new QPushButton(tr("From a &picture…"));
+    m_look->addItem(tr("How it differs from the floor"), false);
+    m_look->addItem(tr("A colour of its own"), true);
+    m_look->setToolTip(tr("A robot of any look is found by how it differs from the floor. A colour of its own helps where several things move."));
+    form->addRow(tr("&Found by"), m_look);
     auto *colour = new QHBoxLayout;
     colour->addWidget(m_colourButton);
-    colour->addWidget(pick);
+    colour->addWidget(m_pickButton);
     form->addRow(tr("&Colour of its top"), colour);
     qobject_cast<QLabel *>(form->labelForField(colour))->setBuddy(m_colourButton);
     m_drawing->addItem(drawingColourName(DrawingColour::Automatic), static_cast<int>(DrawingColour::Automatic));
@@ -48,7 +52,7 @@ RobotDialog::RobotDialog(QList<PickableVideo> videos, QWidget *parent)
         swatch.fill(seriesColour(static_cast<int>(place), palette()));
         m_drawing->addItem(swatch, drawingColourName(drawingColours[place]), static_cast<int>(drawingColours[place]));
     }
-    m_drawing->setToolTip(tr("In charts and maps; it is tracked by the colour of its top"));
+    m_drawing->setToolTip(tr("In charts and maps, whatever the robot looks like"));
     form->addRow(tr("&Drawn in"), m_drawing);
     form->addRow(tr("&Height of its top"), m_heightMode);
     form->addRow(QString(), m_height);
@@ -56,7 +60,8 @@ RobotDialog::RobotDialog(QList<PickableVideo> videos, QWidget *parent)
     layout->addLayout(form);
     layout->addWidget(m_buttons);
     connect(m_colourButton, &QPushButton::clicked, this, &RobotDialog::chooseColour);
-    connect(pick, &QPushButton::clicked, this, &RobotDialog::pickColour);
+    connect(m_look, &QComboBox::currentIndexChanged, this, &RobotDialog::updateButtons);
+    connect(m_pickButton, &QPushButton::clicked, this, &RobotDialog::pickColour);
     connect(m_name, &QLineEdit::textChanged, this, &RobotDialog::updateButtons);
     connect(m_heightMode, &QComboBox::currentIndexChanged, this, &RobotDialog::updateButtons);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -95,6 +100,8 @@ void RobotDialog::showColour()
 
 void RobotDialog::updateButtons()
 {
+    m_colourButton->setEnabled(m_look->currentData().toBool());
+    m_pickButton->setEnabled(m_look->currentData().toBool());
     m_height->setEnabled(m_heightMode->currentData().toInt() == static_cast<int>(RobotRecord::Height::Told));
     m_buttons->button(QDialogButtonBox::Ok)->setEnabled(!m_name->text().trimmed().isEmpty());
 }
@@ -103,7 +110,8 @@ void RobotDialog::setRobot(const RobotRecord &robot)
 {
     setWindowTitle(tr("Change robot"));
     m_before = robot;
-    m_colour = robot.colour;
+    m_colour = robot.colour.value_or(m_colour);
+    m_look->setCurrentIndex(m_look->findData(robot.colour.has_value()));
     m_name->setText(QString::fromStdString(robot.name));
     m_drawing->setCurrentIndex(m_drawing->findData(static_cast<int>(robot.drawingColour)));
     m_heightMode->setCurrentIndex(m_heightMode->findData(static_cast<int>(robot.heightMode)));
@@ -118,7 +126,7 @@ RobotRecord RobotDialog::robot() const
     RobotRecord robot = m_before;
     robot.heightM.reset();
     robot.name = m_name->text().trimmed().toStdString();
-    robot.colour = m_colour;
+    robot.colour = m_look->currentData().toBool() ? std::optional(m_colour) : std::nullopt;
     robot.drawingColour = static_cast<DrawingColour>(m_drawing->currentData().toInt());
     robot.heightMode = static_cast<RobotRecord::Height>(m_heightMode->currentData().toInt());
     if (robot.heightMode == RobotRecord::Height::Told)

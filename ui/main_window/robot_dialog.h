@@ -14,7 +14,7 @@ class QPushButton;
 
 namespace odo {
 
-/// Asks what has to be known of a robot before it can be found: name, colour, height; and in which colour it is drawn.
+/// Asks what helps to find a robot: name, whether it is known by a colour, height; and in which colour it is drawn.
 class RobotDialog : public QDialog
 {
     Q_OBJECT
@@ -34,7 +34,8 @@ private:
     QList<PickableVideo> m_videos;
     RobotRecord m_before;
     QLineEdit *m_name;
-    QPushButton *m_colourButton;
+    QComboBox *m_look; ///< its data: whether it is known by its colour
+    QPushButton *m_colourButton, *m_pickButton;
     RgbColour m_colour{0xd7, 0x23, 0x28};
     QComboBox *m_drawing;
     QComboBox *m_heightMode;

@@ -41,11 +41,13 @@ QString heightText(const RobotRecord &robot)
 
 QTableWidgetItem *colourItem(const RobotRecord &robot)
 {
+    if (!robot.colour)
+        return new QTableWidgetItem(RobotsDialog::tr("any look"));
     QPixmap swatch(listSwatchSide, listSwatchSide);
-    swatch.fill(QColor(robot.colour.red, robot.colour.green, robot.colour.blue));
+    swatch.fill(QColor(robot.colour->red, robot.colour->green, robot.colour->blue));
     QIcon icon(swatch);
     icon.addPixmap(swatch, QIcon::Selected); // in a chosen row too it is the colour of the robot
-    return new QTableWidgetItem(icon, QString::fromStdString(robot.colour.toString()));
+    return new QTableWidgetItem(icon, QString::fromStdString(robot.colour->toString()));
 }
 
 QTableWidgetItem *drawingItem(const RobotRecord &robot, const QPalette &palette)

@@ -54,6 +54,8 @@ std::span<const CorePattern> errorsProject()
         {QT_TRANSLATE_NOOP("CoreWords", "it cannot be read (%1)")},
         {QT_TRANSLATE_NOOP("CoreWords", "check that you may read the file")},
         {QT_TRANSLATE_NOOP("CoreWords", "check that the file is there and may be read")},
+        {QT_TRANSLATE_NOOP("CoreWords", "it is a folder or a device, not a file")},
+        {QT_TRANSLATE_NOOP("CoreWords", "put the original file back in its place")},
         {QT_TRANSLATE_NOOP("CoreWords", "check that it is there and may be read")},
         {QT_TRANSLATE_NOOP("CoreWords", "the file is empty")},
         {QT_TRANSLATE_NOOP("CoreWords", "the file is cut off")},

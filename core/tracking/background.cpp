@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/background.h"
+
+#include "core/tracking/light_gain.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+namespace odo {
+
+namespace {
+
+constexpr std::size_t mostFrames = 24, fewestFrames = 9; // the median of fewer would show the robot too often
+constexpr std::size_t mostChosen = 15; // of them, for the median
+constexpr std::size_t mostBytes = 64'000'000;
+constexpr int motionLattice = 4;      // every so many samples of luma are compared
+constexpr int movedBy = 12;           // code values, beyond noise and coding
+constexpr int leastMoved = 8;         // samples of the lattice: some 11 x 11 pixels
+constexpr std::size_t block = 64;     // samples that are sorted side by side
+
+std::size_t bytesOf(const Frame &frame)
+{
+    return std::size_t(frame.y.width) * std::size_t(frame.y.height) + 2 * std::size_t(frame.u.width) * std::size_t(frame.u.height);
+}
+
+bool sameFormat(const FrameFormat &a, const FrameFormat &b)
+{
+    return a.width == b.width && a.height == b.height && a.chromaShiftX == b.chromaShiftX && a.chromaShiftY == b.chromaShiftY &&
+           a.fullRange == b.fullRange && a.matrix == b.matrix;
+}
+
+/// In memory of its own: that of a camera's or decoder's frames is wanted back soon.
+Frame copied(const Frame &frame)
+{
+    auto buffer = std::make_shared<FrameBuffer>(frame.format);
+    const auto copyRows = [](const PlaneView &plane, const auto &rowOf) {
+        for (int y = 0; y < plane.height; ++y)
+            std::copy_n(plane.row(y), plane.width, rowOf(y));
+    };
+    copyRows(frame.y, [&](int y) { return buffer->yRow(y); });
+    copyRows(frame.u, [&](int y) { return buffer->uRow(y); });
+    copyRows(frame.v, [&](int y) { return buffer->vRow(y); });
+    return FrameBuffer::toFrame(std::move(buffer), frame.index, frame.time);
+}
+
+/// The same place of all frames: one row of bytes a frame.
+using Samples = std::array<std::array<std::uint8_t, block>, mostFrames>;
+
+/// Sorts each column of the first `count` rows, all columns at once: Batcher's odd-even merge sort for any count
+/// (Knuth, The Art of Computer Programming 3, 5.2.2, algorithm M).
+void sortColumns(Samples &samples, std::size_t count)
+{
+    std::size_t top = 1;
+    while (2 * top < count)
+        top *= 2;
+    for (std::size_t p = top; p > 0; p /= 2) {
+        std::size_t q = top, r = 0, d = p;
+        while (true) {
+            for (std::size_t i = 0; i + d < count; ++i) {
+                if ((i & p) != r)
+                    continue;
+                std::uint8_t *low = samples[i].data(), *high = samples[i + d].data();
+                for (std::size_t x = 0; x < block; ++x) {
+                    const std::uint8_t a = low[x], b = high[x];
+                    low[x] = std::min(a, b);
+                    high[x] = std::max(a, b);
+                }
+            }
+            if (q == p)
+                break;
+            d = q - p;
+            q /= 2;
+            r = p;
+        }
+    }
+}
+
+/// Medians, and σ from a quartile, of one plane. planes: that of each frame; gains: what brings each to the light of the first.
+Background::Plane medianOf(const std::vector<PlaneView> &planes, const std::vector<LightGain> &gains, bool isLuma)
+{
+    Background::Plane result{planes.front().width, planes.front().height, {}, {}};
+    const std::size_t count = planes.size();
+    result.values.resize(std::size_t(result.width) * std::size_t(result.height));
+    result.sigmas.resize(result.values.size());
+    std::vector<std::array<std::uint8_t, 256>> tables;
+    for (const LightGain &gain : gains)
+        tables.push_back(isLuma ? gain.toReference() : LightGain().toReference());
+    // From the quarter of the samples next to the median on that side where no robot was seen; the nearer of two sides is the lesser one by chance.
+    constexpr float sigmaPerQuarter = 1.75F;
+    Samples samples;
+    for (int y = 0; y < result.height; ++y) {
+        for (int x0 = 0; x0 < result.width; x0 += int(block)) {
+            const auto here = std::size_t(std::min(int(block), result.width - x0));
+            for (std::size_t f = 0; f < count; ++f) {
+                const std::uint8_t *row = planes[f].row(y) + x0;
+                for (std::size_t x = 0; x < here; ++x)
+                    samples[f][x] = tables[f][row[x]];
+            }
+            sortColumns(samples, count);
+            std::uint8_t *values = result.values.data() + std::ptrdiff_t(y) * result.width + x0;
+            std::uint8_t *sigmas = result.sigmas.data() + std::ptrdiff_t(y) * result.width + x0;
+            const auto &median = samples[count / 2], &lower = samples[count / 4], &upper = samples[count - 1 - count / 4];
+            for (std::size_t x = 0; x < here; ++x) {
+                values[x] = median[x];
+                const float sigma = std::max(Background::leastSigma, sigmaPerQuarter * float(std::min(upper[x] - median[x], median[x] - lower[x])));
+                sigmas[x] = static_cast<std::uint8_t>(std::min(255.0F, sigma / Background::sigmaUnit + 0.5F));
+            }
+        }
+    }
+    return result;
+}
+
+/// Samples of a lattice over the picture that differ by more than noise and light.
+int movedSamples(const Frame &frame, const Frame &before)
+{
+    const auto table = LightGain::between(frame.y, before.y, frame.format.fullRange).toReference();
+    int moved = 0;
+    for (int y = 0; y < frame.y.height; y += motionLattice) {
+        const std::uint8_t *now = frame.y.row(y), *then = before.y.row(y);
+        for (int x = 0; x < frame.y.width; x += motionLattice)
+            moved += std::abs(table[now[x]] - then[x]) > movedBy;
+    }
+    return moved;
+}
+
+/// Frames evenly spread over what has moved: of a robot that starts slowly, few show where it stood.
+std::vector<Frame> spreadOverMotion(const std::vector<Frame> &frames)
+{
+    std::vector<int> moved{0}; // up to each frame
+    for (std::size_t i = 1; i < frames.size(); ++i)
+        moved.push_back(moved.back() + movedSamples(frames[i], frames[i - 1]));
+    std::vector<Frame> chosen;
+    const std::size_t wanted = std::min(frames.size(), mostChosen);
+    for (std::size_t k = 0, i = 0; k < wanted; ++k) {
+        const double at = wanted > 1 ? double(moved.back()) * double(k) / double(wanted - 1) : 0;
+        while (i + 1 < frames.size() && moved[i] < at)
+            ++i;
+        if (chosen.empty() || chosen.back().index != frames[i].index)
+            chosen.push_back(frames[i]);
+    }
+    return chosen;
+}
+
+} // namespace
+
+void BackgroundLearner::keep(const Frame &frame)
+{
+    if (m_kept.size() >= m_most) { // every second one, so that they stay spread evenly
+        std::size_t left = 0;
+        for (std::size_t i = 0; i < m_kept.size(); i += 2)
+            m_kept[left++] = m_kept[i];
+        m_kept.resize(left);
+        m_every *= 2;
+    }
+    m_kept.push_back(frame);
+}
+
+void BackgroundLearner::add(const Frame &frame)
+{
+    if (!m_last || !sameFormat(m_last->format, frame.format)) {
+        *this = BackgroundLearner();
+        m_moving = -1; // the first has moved against nothing
+        m_most = std::clamp(mostBytes / std::max<std::size_t>(bytesOf(frame), 1), fewestFrames, mostFrames);
+    } else if (movedSamples(frame, *m_last) < leastMoved) {
+        return; // what comes slowly is seen against the last frame that moved
+    }
+    m_last = copied(frame);
+    if (++m_moving % m_every == 0)
+        keep(*m_last);
+}
+
+std::optional<Background> BackgroundLearner::learned() const
+{
+    std::vector<Frame> frames = m_kept.empty() ? m_kept : spreadOverMotion(m_kept);
+    if (frames.empty() && m_last)
+        frames.push_back(*m_last);
+    if (frames.empty())
+        return std::nullopt;
+    std::vector<PlaneView> y, u, v;
+    std::vector<LightGain> gains;
+    for (const Frame &frame : frames) {
+        y.push_back(frame.y);
+        u.push_back(frame.u);
+        v.push_back(frame.v);
+        gains.push_back(LightGain::between(frame.y, frames.front().y, frame.format.fullRange));
+    }
+    return Background{frames.front().format, medianOf(y, gains, true), medianOf(u, gains, false), medianOf(v, gains, false)};
+}
+
+} // namespace odo

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/video/frame.h"
+
+#include <optional>
+#include <vector>
+
+namespace odo {
+
+/// What a camera that stands still sees of the place when no robot is there: of each sample of the three planes its value and
+/// how much it varies. Code values, as in the frames that it was learned from.
+struct Background
+{
+    struct Plane
+    {
+        int width = 0, height = 0;
+        std::vector<std::uint8_t> values;
+        std::vector<std::uint8_t> sigmas; ///< in units of sigmaUnit, at least leastSigma
+
+        const std::uint8_t *row(int y) const { return values.data() + std::ptrdiff_t(y) * width; }
+        const std::uint8_t *sigmaRow(int y) const { return sigmas.data() + std::ptrdiff_t(y) * width; }
+    };
+    static constexpr float sigmaUnit = 0.125F, leastSigma = 1; ///< code values
+
+    FrameFormat format;
+    Plane y, u, v;
+};
+
+/// Learns a background from the frames of one view, given in any number and in order: it keeps a few of them, spread over what
+/// moves rather than over time, so that a robot that stands for most of a recording is not taken for a part of the floor, and takes
+/// the median of each sample. Holds at most some 64 MB of frames. One thread at a time.
+class BackgroundLearner
+{
+public:
+    /// Whole frames of one format; one of another format starts anew.
+    void add(const Frame &frame);
+    /// Nothing before the first frame. Light that changes as a whole is taken out before the median.
+    std::optional<Background> learned() const;
+    /// Frames in which something moved, of those that were given.
+    std::int64_t movingFrames() const { return m_moving; }
+
+private:
+    void keep(const Frame &frame);
+
+    std::vector<Frame> m_kept; ///< in order
+    std::optional<Frame> m_last;
+    std::size_t m_most = 0;      ///< frames to keep
+    std::int64_t m_every = 1;    ///< so many moving frames from one kept to the next
+    std::int64_t m_moving = 0;
+};
+
+} // namespace odo

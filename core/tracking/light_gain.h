@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/video/frame.h"
+
+#include <array>
+
+namespace odo {
+
+/// By what factor one luma plane is lighter than another of the same place, as lamps and automatic exposure make it: robust against
+/// what only one of them shows.
+struct LightGain
+{
+    float factor = 1; ///< of luma above black
+    int black = 0;    ///< code value
+
+    /// How much lighter `plane` is than `reference`, both of one size.
+    static LightGain between(const PlaneView &plane, const PlaneView &reference, bool fullRange);
+    /// For each code value of the plane, what it would be in the reference's light.
+    std::array<std::uint8_t, 256> toReference() const { return table(1 / factor); }
+    /// For each code value of the reference, what it would be in the plane's light.
+    std::array<std::uint8_t, 256> fromReference() const { return table(factor); }
+
+private:
+    std::array<std::uint8_t, 256> table(float by) const;
+};
+
+} // namespace odo

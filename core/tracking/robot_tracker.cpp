@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/robot_tracker.h"
+
+#include <algorithm>
+
+namespace odo {
+
+bool needsBackground(const std::vector<TrackTarget> &targets)
+{
+    return std::ranges::any_of(targets, [](const TrackTarget &target) { return !isFoundByColour(target); });
+}
+
+Result<std::unique_ptr<RobotTracker>> RobotTracker::create(const std::vector<TrackTarget> &targets, std::optional<Background> background)
+{
+    std::unique_ptr<RobotTracker> tracker(new RobotTracker);
+    std::vector<TrackTarget> coloured;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        const bool byColour = isFoundByColour(targets[i]);
+        (byColour ? tracker->m_coloured : tracker->m_others).push_back(i);
+        if (byColour)
+            coloured.push_back(targets[i]);
+    }
+    if (tracker->m_others.empty() || !coloured.empty()) {
+        auto byColour = ColourTracker::create(std::move(coloured));
+        if (!byColour)
+            return tl::unexpected(byColour.error());
+        tracker->m_byColour = std::move(*byColour);
+    }
+    if (background)
+        tracker->setBackground(std::move(*background));
+    return tracker;
+}
+
+void RobotTracker::setBackground(Background background)
+{
+    if (m_bySilhouette)
+        m_bySilhouette->setBackground(std::move(background));
+    else if (!m_others.empty())
+        m_bySilhouette = std::make_unique<SilhouetteTracker>(std::move(background), m_others.size());
+}
+
+std::optional<PixelRect> RobotTracker::neededRegion(Nanoseconds time) const
+{
+    return m_others.empty() ? m_byColour->neededRegion(time) : std::nullopt;
+}
+
+std::vector<Observation> RobotTracker::track(const Frame &frame)
+{
+    std::vector<Observation> coloured = m_byColour ? m_byColour->track(frame) : std::vector<Observation>();
+    if (m_others.empty())
+        return coloured;
+    Observation unseen;
+    unseen.frame = frame.index;
+    unseen.time = frame.time;
+    std::vector<Observation> all(m_coloured.size() + m_others.size(), unseen);
+    if (m_bySilhouette) {
+        const std::vector<Observation> others = m_bySilhouette->track(frame, coloured);
+        for (std::size_t i = 0; i < m_others.size(); ++i)
+            all[m_others[i]] = others[i];
+    }
+    for (std::size_t i = 0; i < m_coloured.size(); ++i)
+        all[m_coloured[i]] = coloured[i];
+    return all;
+}
+
+std::vector<double> RobotTracker::sharesAlike() const
+{
+    std::vector<double> shares(m_coloured.size() + m_others.size());
+    for (std::size_t i = 0; m_byColour && i < m_byColour->sharesAlike().size(); ++i)
+        shares[m_coloured[i]] = m_byColour->sharesAlike()[i];
+    return shares;
+}
+
+} // namespace odo

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tracking/background.h"
+#include "core/tracking/colour_tracker.h"
+#include "core/tracking/silhouette_tracker.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace odo {
+
+/// Follows all robots of a project through the frames of one view: those of which a colour with chroma was told by it (ColourTracker), the others by their
+/// silhouettes (SilhouetteTracker). Feed every frame in order. Not thread-safe; one tracker a view.
+class RobotTracker
+{
+public:
+    /// background: of the view, without the robots; needed for robots of any look, which are found in no frame without one. Errors: those of
+    /// ColourTracker.
+    static Result<std::unique_ptr<RobotTracker>> create(const std::vector<TrackTarget> &targets, std::optional<Background> background);
+
+    /// A first or a newer background of the same place.
+    void setBackground(Background background);
+
+    /// As of ColourTracker; all of the frame where a robot of any look is followed.
+    std::optional<PixelRect> neededRegion(Nanoseconds time) const;
+    /// One observation a target, in the order given.
+    std::vector<Observation> track(const Frame &frame);
+    /// As of ColourTracker; 0 for robots of any look.
+    std::vector<double> sharesAlike() const;
+
+private:
+    RobotTracker() = default;
+
+    std::unique_ptr<ColourTracker> m_byColour;
+    std::unique_ptr<SilhouetteTracker> m_bySilhouette;
+    std::vector<std::size_t> m_coloured, m_others; ///< targets
+};
+
+/// Whether some robot is to be found by its silhouette, which takes a background.
+bool needsBackground(const std::vector<TrackTarget> &targets);
+
+} // namespace odo

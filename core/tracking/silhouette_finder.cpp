@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/silhouette_finder.h"
+
+#include "core/geometry/convex_hull.h"
+#include "core/tracking/compared_window.h"
+#include "core/tracking/light_gain.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+constexpr int lattice = 4;                 // of the search through the whole picture, luma pixels
+constexpr int windowMargin = 20;           // round what was found on the lattice
+constexpr int mostSilhouettes = 16;
+constexpr double mostShare = 0.4;          // of the picture that robots take up
+constexpr int edgeReach = 4;               // pixels round one on a region's edge, in which both sides are looked at
+constexpr float half = 0.5F;
+constexpr float edgeSigmaPx = 0.3F, edgeLengthPx = 5, centreSigmaPx = 0.05F;
+
+/// Windows round what differs, which do not overlap.
+std::vector<PixelRect> windowsAround(const cv::Mat1b &hits, const PixelRect &picture)
+{
+    // One or two are noise; those that are two apart belong together.
+    cv::Mat1b together;
+    cv::boxFilter(hits, together, -1, {3, 3}, {-1, -1}, false, cv::BORDER_CONSTANT);
+    cv::Mat1b joined = (together >= 3);
+    cv::dilate(joined, joined, cv::Mat1b::ones(3, 3));
+    cv::Mat labels, stats, centres;
+    const int count = cv::connectedComponentsWithStats(joined, labels, stats, centres, 8, CV_32S);
+    std::vector<PixelRect> windows;
+    for (int label = 1; label < count; ++label) {
+        const int x = stats.at<int>(label, cv::CC_STAT_LEFT), y = stats.at<int>(label, cv::CC_STAT_TOP);
+        const int w = stats.at<int>(label, cv::CC_STAT_WIDTH), h = stats.at<int>(label, cv::CC_STAT_HEIGHT);
+        PixelRect rect = PixelRect{x * lattice - windowMargin, y * lattice - windowMargin, (x + w) * lattice + windowMargin,
+                                   (y + h) * lattice + windowMargin}.clipped(picture);
+        for (std::size_t i = 0; i < windows.size();) {
+            if (windows[i].clipped(rect).isEmpty()) {
+                ++i;
+                continue;
+            }
+            rect = rect.united(windows[i]);
+            windows.erase(windows.begin() + std::ptrdiff_t(i));
+            i = 0;
+        }
+        windows.push_back(rect);
+    }
+    return windows;
+}
+
+} // namespace
+
+struct SilhouetteFinder::Impl
+{
+    Background background;
+    std::vector<SeenSilhouette> found;
+    LightGain gain;
+    ComparedWindow window;
+
+    cv::Mat1b differencesOnLattice(const Frame &frame) const;
+    bool fits(const Frame &frame) const;
+    void takeRegions();
+    void measure(const cv::Mat1b &region, const cv::Rect &box, SeenSilhouette &silhouette) const;
+};
+
+bool SilhouetteFinder::Impl::fits(const Frame &frame) const
+{
+    const auto alike = [](const PlaneView &plane, const Background::Plane &behind) { return plane.width == behind.width && plane.height == behind.height; };
+    constexpr int leastSide = 8 * lattice;
+    return alike(frame.y, background.y) && alike(frame.u, background.u) && alike(frame.v, background.v) && frame.y.width >= leastSide &&
+           frame.y.height >= leastSide;
+}
+
+/// Where something differs on a lattice over the whole picture.
+cv::Mat1b SilhouetteFinder::Impl::differencesOnLattice(const Frame &frame) const
+{
+    const auto behind = gain.fromReference();
+    const int columns = frame.y.width / lattice, rows = frame.y.height / lattice;
+    cv::Mat1b hits(rows, columns);
+    const int sx = frame.format.chromaShiftX, sy = frame.format.chromaShiftY;
+    for (int j = 0; j < rows; ++j) {
+        const int y = j * lattice + lattice / 2, cy = std::min(y >> sy, frame.u.height - 1);
+        const std::uint8_t *luma = frame.y.row(y), *u = frame.u.row(cy), *v = frame.v.row(cy);
+        const std::uint8_t *lumaBehind = background.y.row(y), *uBehind = background.u.row(cy), *vBehind = background.v.row(cy);
+        const std::uint8_t *sigma = background.y.sigmaRow(y), *uSigma = background.u.sigmaRow(cy), *vSigma = background.v.sigmaRow(cy);
+        for (int i = 0; i < columns; ++i) {
+            const int x = i * lattice + lattice / 2, cx = std::min(x >> sx, frame.u.width - 1);
+            const auto share = [](int difference, int sigmas) {
+                return squared(float(difference)) / squared(float(sigmas) * Background::sigmaUnit);
+            };
+            const int dy = luma[x] - behind[lumaBehind[x]], du = u[cx] - uBehind[cx], dv = v[cx] - vBehind[cx];
+            const bool isStep = float(std::abs(dy)) > leastLumaStep || float(std::max(std::abs(du), std::abs(dv))) > leastChromaStep;
+            hits(j, i) = isStep && share(dy, sigma[x]) + share(du, uSigma[cx]) + share(dv, vSigma[cx]) > differsInSigmas2 ? 1 : 0;
+        }
+    }
+    return hits;
+}
+
+/// What lies on both sides of a pixel on a region's edge: the mean colour inside, and by what the floor outside is in shadow.
+struct EdgeSides
+{
+    float inside = 0; ///< pixels
+    float luma = 0, u = 0, v = 0;
+    float shade = 1;
+};
+
+EdgeSides sidesOf(const ComparedWindow &w, const cv::Mat1b &core, const cv::Mat1b &near, int x, int y)
+{
+    EdgeSides sides;
+    float outside = 0, shade = 0;
+    for (int j = std::max(0, y - edgeReach); j <= std::min(core.rows - 1, y + edgeReach); ++j) {
+        for (int i = std::max(0, x - edgeReach); i <= std::min(core.cols - 1, x + edgeReach); ++i) {
+            if (core(j, i)) {
+                sides.inside += 1;
+                sides.luma += w.luma(j, i);
+                sides.u += w.u(j, i);
+                sides.v += w.v(j, i);
+            } else if (!near(j, i)) {
+                outside += 1;
+                shade += w.differs(j, i) && w.shade(j, i) ? w.luma(j, i) / std::max(1.0F, w.lumaBehind(j, i)) : 1.0F;
+            }
+        }
+    }
+    if (sides.inside > 0) {
+        sides.luma /= sides.inside;
+        sides.u /= sides.inside;
+        sides.v /= sides.inside;
+    }
+    if (outside > 0)
+        sides.shade = shade / outside;
+    return sides;
+}
+
+/// The part of a pixel that a region covers: what is seen is a blend of what lies inside and of the floor behind.
+float coveredPart(const ComparedWindow &w, const EdgeSides &sides, int x, int y, float otherwise)
+{
+    if (sides.inside == 0)
+        return otherwise;
+    const float behind = sides.shade * w.lumaBehind(y, x), uBehind = sides.shade * w.uBehind(y, x), vBehind = sides.shade * w.vBehind(y, x);
+    const float dy = sides.luma - behind, du = sides.u - uBehind, dv = sides.v - vBehind;
+    const float ly = 1 / w.lumaNoise2(y, x), lc = 1 / w.chromaNoise2(y, x);
+    const float contrast = dy * dy * ly + (du * du + dv * dv) * lc;
+    if (contrast < differsInSigmas2)
+        return otherwise;
+    const float along = (w.luma(y, x) - behind) * dy * ly + ((w.u(y, x) - uBehind) * du + (w.v(y, x) - vBehind) * dv) * lc;
+    return std::clamp(along / contrast, 0.0F, 1.0F);
+}
+
+/// Where the covered part crosses one half along the rows and the columns, from both ends of each: the corners of the region's hull are
+/// among these points. Pixels of the window.
+std::vector<Eigen::Vector2d> edgePoints(const cv::Mat1f &covered)
+{
+    std::vector<Eigen::Vector2d> points;
+    const auto walk = [&](int lines, int length, const auto &valueAt, const auto &pointAt) {
+        for (int line = 0; line < lines; ++line) {
+            for (const bool fromEnd : {false, true}) {
+                float before = 0;
+                for (int k = 0; k < length; ++k) {
+                    const int at = fromEnd ? length - 1 - k : k;
+                    const float here = valueAt(line, at);
+                    if (here >= half) {
+                        const double back = k > 0 ? double((here - half) / (here - before)) : 0;
+                        points.push_back(pointAt(line, fromEnd ? at + back : at - back));
+                        break;
+                    }
+                    before = here;
+                }
+            }
+        }
+    };
+    walk(covered.rows, covered.cols, [&](int y, int x) { return covered(y, x); }, [](int y, double x) { return Eigen::Vector2d(x, y); });
+    walk(covered.cols, covered.rows, [&](int x, int y) { return covered(y, x); }, [](int x, double y) { return Eigen::Vector2d(x, y); });
+    return points;
+}
+
+/// Moments of a region's hull, from the part of each pixel near its edge that is covered.
+void SilhouetteFinder::Impl::measure(const cv::Mat1b &region, const cv::Rect &box, SeenSilhouette &silhouette) const
+{
+    const ComparedWindow &w = window;
+    cv::Mat1b core, near;
+    const cv::Mat1b disc = cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5});
+    cv::erode(region, core, disc, {-1, -1}, 1, cv::BORDER_CONSTANT, 0);
+    cv::dilate(region, near, disc);
+    const cv::Rect part = cv::Rect(box.x - 3, box.y - 3, box.width + 6, box.height + 6) & cv::Rect(0, 0, region.cols, region.rows);
+    cv::Mat1f covered = cv::Mat1f::zeros(part.size());
+    double inside = 0, su = 0, sv = 0;
+    for (int y = part.y; y < part.y + part.height; ++y) {
+        for (int x = part.x; x < part.x + part.width; ++x) {
+            if (!near(y, x))
+                continue;
+            float &here = covered(y - part.y, x - part.x);
+            if (!core(y, x)) {
+                here = coveredPart(w, sidesOf(w, core, near, x, y), x, y, region(y, x));
+                continue;
+            }
+            here = 1;
+            su += double(w.u(y, x));
+            sv += double(w.v(y, x));
+            inside += 1;
+        }
+    }
+    const std::vector<Eigen::Vector2d> points = edgePoints(covered);
+    if (points.size() < 8)
+        return;
+    silhouette.moments = polygonMoments(convexHull(points));
+    silhouette.moments.centrePx += Eigen::Vector2d(w.rect.x0 + part.x, w.rect.y0 + part.y);
+    // An edge is in doubt by some part of a pixel, alike over some pixels of it, and pulls the centre by its distance from it.
+    const double perimeter = 4 * std::sqrt(silhouette.moments.areaPx2);
+    silhouette.centreCovariancePx2 = silhouette.moments.covariancePx2 * (4 * squared(edgeSigmaPx) * edgeLengthPx * perimeter / (silhouette.moments.areaPx2 * silhouette.moments.areaPx2));
+    silhouette.centreCovariancePx2.diagonal().array() += double(squared(centreSigmaPx));
+    if (inside > 0)
+        silhouette.meanChroma = Chroma(su / inside, sv / inside);
+}
+
+void SilhouetteFinder::Impl::takeRegions()
+{
+    ComparedWindow &w = window;
+    const cv::Mat1b clear = w.differs & (w.shade == 0), small = cv::getStructuringElement(cv::MORPH_ELLIPSE, {3, 3});
+    cv::Mat1b taken;
+    cv::morphologyEx(clear, taken, cv::MORPH_OPEN, small); // a speck would move the hull
+    if (cv::countNonZero(taken) < leastAreaPx) // nothing that cannot be a shadow: perhaps a robot of the floor's own hue
+        cv::morphologyEx(w.differs, taken, cv::MORPH_OPEN, small);
+    cv::morphologyEx(taken, taken, cv::MORPH_CLOSE, cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5}));
+    std::vector<std::vector<cv::Point>> outlines;
+    cv::findContours(taken, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+    for (std::size_t k = 0; k < outlines.size(); ++k) {
+        const cv::Rect box = cv::boundingRect(outlines[k]);
+        cv::Mat1b region = cv::Mat1b::zeros(taken.size());
+        cv::drawContours(region, outlines, int(k), cv::Scalar(1), cv::FILLED);
+        SeenSilhouette silhouette;
+        silhouette.box = {w.rect.x0 + box.x, w.rect.y0 + box.y, w.rect.x0 + box.x + box.width, w.rect.y0 + box.y + box.height};
+        measure(region, box, silhouette);
+        if (silhouette.moments.areaPx2 < leastAreaPx)
+            continue;
+        silhouette.clearShare = double(cv::countNonZero(clear & region)) / double(cv::countNonZero(region));
+        const int right = background.y.width - 2, bottom = background.y.height - 2;
+        silhouette.touchesBorder = silhouette.box.x0 < 2 || silhouette.box.y0 < 2 || silhouette.box.x1 > right || silhouette.box.y1 > bottom;
+        found.push_back(std::move(silhouette));
+    }
+}
+
+SilhouetteFinder::SilhouetteFinder(Background background) : m_impl(std::make_unique<Impl>())
+{
+    m_impl->background = std::move(background);
+}
+
+SilhouetteFinder::~SilhouetteFinder() = default;
+SilhouetteFinder::SilhouetteFinder(SilhouetteFinder &&) noexcept = default;
+SilhouetteFinder &SilhouetteFinder::operator=(SilhouetteFinder &&) noexcept = default;
+
+const std::vector<SeenSilhouette> &SilhouetteFinder::find(const Frame &frame)
+{
+    Impl &d = *m_impl;
+    d.found.clear();
+    const Background::Plane &behind = d.background.y;
+    const PixelRect picture{0, 0, behind.width, behind.height};
+    if (!d.fits(frame))
+        return d.found;
+    d.gain = LightGain::between(frame.y, {behind.values.data(), behind.width, behind.height, behind.width}, frame.format.fullRange);
+    const cv::Mat1b hits = d.differencesOnLattice(frame);
+    if (cv::countNonZero(hits) > mostShare * double(hits.total())) // the light of a part of the room, or the camera, has changed
+        return d.found;
+    for (const PixelRect &rect : windowsAround(hits, picture)) {
+        d.window.compare(frame, d.background, d.gain, rect);
+        d.takeRegions();
+    }
+    std::ranges::sort(d.found, std::greater<>(), [](const SeenSilhouette &one) { return one.moments.areaPx2; });
+    if (d.found.size() > mostSilhouettes)
+        d.found.resize(mostSilhouettes);
+    return d.found;
+}
+
+} // namespace odo

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/region_moments.h"
+#include "core/tracking/background.h"
+#include "core/tracking/chroma.h"
+
+#include <memory>
+#include <vector>
+
+namespace odo {
+
+/// What differs from the background in one connected place. Luma pixels of the whole picture.
+struct SeenSilhouette
+{
+    PixelRect box;
+    RegionMoments moments; ///< of its convex hull, which is the picture of the convex hull of what is seen
+    Eigen::Matrix2d centreCovariancePx2 = Eigen::Matrix2d::Zero();
+    Chroma meanChroma = Chroma::Zero();
+    double clearShare = 1;      ///< of its pixels: that cannot be a shadow on the floor
+    bool touchesBorder = false; ///< cut by the picture's edge
+};
+
+/// Finds what stands before the background of one view, whatever its colours: where luma or chroma differ by more than the place
+/// usually varies. Shadows are left out: there the luma is lower by a factor that hardly changes from pixel to pixel, the chroma is
+/// that of the darkened floor, and what the floor has of texture shows through. The light may change as a whole. Keeps its memory.
+/// Not thread-safe.
+class SilhouetteFinder
+{
+public:
+    explicit SilhouetteFinder(Background background);
+    ~SilhouetteFinder();
+    SilhouetteFinder(SilhouetteFinder &&) noexcept;
+    SilhouetteFinder &operator=(SilhouetteFinder &&) noexcept;
+
+    /// Those of a whole frame, the largest first; none of fewer than leastAreaPx pixels. Nothing in a frame of another size than the background, and where
+    /// so much of the picture differs that the light or the camera must have changed.
+    const std::vector<SeenSilhouette> &find(const Frame &frame);
+
+    static constexpr double leastAreaPx = 60;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> m_impl;
+};
+
+} // namespace odo

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/silhouette_tracker.h"
+
+#include "core/tracking/area_expectation.h"
+#include "core/tracking/duplicate_detector.h"
+#include "core/tracking/moment_ellipse.h"
+#include "core/tracking/motion_predictor.h"
+#include "core/tracking/silhouette_finder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace odo {
+
+namespace {
+
+constexpr double mostCost = 2;         // of a silhouette that may be the robot followed
+constexpr double areaSigma = 0.35;     // of the area's logarithm, from frame to frame
+constexpr int mostMisses = 15;    // frames
+constexpr double mostLostRatio = 3;    // of the areas of a robot before and after it was lost
+constexpr double leastFirstClear = 0.2; // share that cannot be a shadow
+constexpr double shadowShift = 0.3;     // of the radius: by which a shadow may draw the centre
+constexpr double leastSizeDoubt = 0.15; // of the area: what is more moves the centre
+
+struct Followed
+{
+    MotionPredictor predictor;
+    AreaExpectation area; ///< 0 before it was ever seen
+    int missed = -1;   ///< frames since it was seen; below 0: it is lost or was never found
+
+    bool isFollowing() const { return missed >= 0; }
+    double radiusPx() const { return std::sqrt(area.px() / std::numbers::pi); }
+};
+
+double costOf(const Followed &robot, const SeenSilhouette &silhouette, double timeS)
+{
+    const double sinceS = std::max(0.0, timeS - robot.predictor.lastTimeS());
+    const double reach = 0.5 * robot.radiusPx() + 4 + 0.5 * sinceS * robot.predictor.velocity().norm() + 2.0 * robot.missed;
+    const double away = (silhouette.moments.centrePx - robot.predictor.at(timeS)).norm() / reach;
+    const double size = silhouette.touchesBorder ? 0 : robot.area.offInLn(silhouette.moments.areaPx2) / (2 * areaSigma);
+    return std::hypot(away, std::min(size, 1.5));
+}
+
+bool lies(const SeenSilhouette &silhouette, const Observation &other)
+{
+    const Eigen::Vector2d &at = other.ellipse.centrePx;
+    const PixelRect &box = silhouette.box;
+    return other.found && at.x() >= box.x0 && at.x() < box.x1 && at.y() >= box.y0 && at.y() < box.y1;
+}
+
+} // namespace
+
+struct SilhouetteTracker::Impl
+{
+    SilhouetteFinder finder;
+    std::vector<Followed> robots;
+    std::vector<Observation> last;
+    DuplicateDetector duplicates;
+
+    void assign(const Frame &frame, std::vector<SeenSilhouette> seen);
+    void accept(Followed &robot, const SeenSilhouette &silhouette, double timeS, Observation &observation);
+};
+
+void SilhouetteTracker::Impl::accept(Followed &robot, const SeenSilhouette &silhouette, double timeS, Observation &observation)
+{
+    const double areaPx = silhouette.moments.areaPx2;
+    const bool isNew = !robot.isFollowing();
+    if (isNew) {
+        robot.predictor.start(silhouette.moments.centrePx, timeS);
+        robot.area.start(areaPx);
+    } else {
+        robot.predictor.update(silhouette.moments.centrePx, timeS);
+    }
+    robot.missed = 0;
+    observation.found = true;
+    observation.touchesBorder = silhouette.touchesBorder;
+    observation.ellipse = ellipseOf(silhouette.moments.centrePx, silhouette.moments.covariancePx2);
+    observation.centreCovariancePx2 = silhouette.centreCovariancePx2;
+    observation.areaPx = areaPx;
+    observation.meanChroma = silhouette.meanChroma;
+    if (silhouette.clearShare < leastFirstClear) { // the robot and its shadow look alike
+        const double shift = shadowShift * robot.radiusPx();
+        observation.centreCovariancePx2 += Eigen::Matrix2d::Identity() * shift * shift;
+    }
+    const double off = robot.area.offInLn(areaPx);
+    if (off > leastSizeDoubt) { // something hides a part of it, or has grown together with it
+        const double shift = std::min(off, 1.0) * robot.radiusPx();
+        observation.centreCovariancePx2 += Eigen::Matrix2d::Identity() * shift * shift;
+    }
+    observation.score = std::exp(-0.5 * off * off / (areaSigma * areaSigma));
+    robot.area.follow(areaPx, silhouette.touchesBorder);
+}
+
+void SilhouetteTracker::Impl::assign(const Frame &frame, std::vector<SeenSilhouette> seen)
+{
+    const double timeS = toSeconds(frame.time);
+    const auto take = [&](std::size_t robot, std::size_t silhouette) {
+        accept(robots[robot], seen[silhouette], timeS, last[robot]);
+        seen.erase(seen.begin() + std::ptrdiff_t(silhouette));
+    };
+    while (true) { // the likeliest pair first
+        double least = mostCost;
+        std::size_t robot = 0, silhouette = 0;
+        for (std::size_t r = 0; r < robots.size(); ++r) {
+            for (std::size_t s = 0; robots[r].isFollowing() && !last[r].found && s < seen.size(); ++s) {
+                if (const double cost = costOf(robots[r], seen[s], timeS); cost < least) {
+                    least = cost;
+                    robot = r;
+                    silhouette = s;
+                }
+            }
+        }
+        if (least >= mostCost)
+            break;
+        take(robot, silhouette);
+    }
+    for (std::size_t r = 0; r < robots.size(); ++r) {
+        if (last[r].found)
+            continue;
+        if (robots[r].isFollowing() && ++robots[r].missed <= mostMisses)
+            continue;
+        robots[r].missed = -1;
+        const auto fits = [&](const SeenSilhouette &one) {
+            const double ratio = robots[r].area.px() > 0 ? one.moments.areaPx2 / robots[r].area.px() : 1;
+            return !one.touchesBorder && ratio < mostLostRatio && ratio > 1 / mostLostRatio;
+        };
+        if (const auto first = std::ranges::find_if(seen, fits); first != seen.end())
+            take(r, std::size_t(first - seen.begin()));
+    }
+}
+
+SilhouetteTracker::SilhouetteTracker(Background background, std::size_t robots)
+    : m_impl(new Impl{SilhouetteFinder(std::move(background)), std::vector<Followed>(robots), {}, {}})
+{
+}
+
+SilhouetteTracker::~SilhouetteTracker() = default;
+
+void SilhouetteTracker::setBackground(Background background)
+{
+    m_impl->finder = SilhouetteFinder(std::move(background));
+    for (Followed &robot : m_impl->robots) // what was followed may have been where a robot stood: if it is gone, it is searched at once
+        robot.missed = robot.isFollowing() ? mostMisses : robot.missed;
+}
+
+std::vector<Observation> SilhouetteTracker::track(const Frame &frame, std::span<const Observation> others)
+{
+    Impl &d = *m_impl;
+    const bool repeats = d.duplicates.repeatsTheLast(frame);
+    if (!repeats) {
+        d.last.assign(d.robots.size(), Observation());
+        if (const auto whole = wholeFrame(frame)) {
+            std::vector<SeenSilhouette> seen = d.finder.find(*whole);
+            std::erase_if(seen, [&](const SeenSilhouette &one) {
+                return std::ranges::any_of(others, [&](const Observation &other) { return lies(one, other); });
+            });
+            d.assign(frame, std::move(seen));
+        }
+    }
+    for (Observation &observation : d.last) {
+        observation.frame = frame.index;
+        observation.time = frame.time;
+        observation.duplicateFrame = repeats;
+    }
+    return d.last;
+}
+
+} // namespace odo

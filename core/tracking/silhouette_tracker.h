@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tracking/background.h"
+#include "core/tracking/observation.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace odo {
+
+/// Follows robots of any look through the frames of one view, by their silhouettes before a background that is known: the largest
+/// ones at first, and then those that are where the robots must be and of their size. Feed every frame in order. Not thread-safe; one tracker a view.
+class SilhouetteTracker
+{
+public:
+    SilhouetteTracker(Background background, std::size_t robots);
+    ~SilhouetteTracker();
+    SilhouetteTracker(const SilhouetteTracker &) = delete;
+    SilhouetteTracker &operator=(const SilhouetteTracker &) = delete;
+
+    /// A newer background of the same place; the robots are followed on.
+    void setBackground(Background background);
+    /// One observation a robot. Of a frame that holds a part of its picture the rest is decoded. A frame that repeats the one before it gives the
+    /// same observations again, marked as such. others: where other robots are seen in this frame, whose silhouettes are left to them.
+    std::vector<Observation> track(const Frame &frame, std::span<const Observation> others = {});
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> m_impl;
+};
+
+} // namespace odo

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/silhouette.h"
+#include "core/trajectory/analyser.h"
+#include "core/trajectory/body_outline.h"
+
+#include <optional>
+#include <vector>
+
+namespace odo {
+
+/// Where a body stood at a time, and its direction.
+struct BodyPose
+{
+    Nanoseconds time{0}; ///< of the first view's clock
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();
+    double headingRad = 0;
+};
+
+/// A guess that a fit begins with, for it ends in the solid that is next to it.
+struct LevelStart
+{
+    double taper = 0;    ///< by how much the lowest level is larger than the middle one, and that than the highest, as a share
+    double topShift = 0; ///< of the highest level along the heading, as a share of the length
+};
+
+struct LevelFit
+{
+    SolidShape shape; ///< Form::Levels
+    double misfit = 0;      ///< as of ShapeEstimate
+    double sigmaTopM = 0;
+    double sigmaForwardM = 0, sigmaLeftM = 0; ///< of the place along and across the heading, as far as all times share it
+    double lastingPx = 0;   ///< RMS of what the solid leaves of the outlines' centroids
+    std::vector<BodyPose> poses; ///< at the times it was fitted to, in order
+};
+
+/// The convex solid of three levels whose silhouettes a robot's outlines are, where a box is not enough: clearance, a chassis, wheels, a narrower upper
+/// part, round corners. Fitted together with a pose for each of some sixty times by weighted least squares of the outlines' centroids, areas and second
+/// moments over all views (Ceres, Cauchy's loss), from the box that is known and the directions that the body then had. The convex hull of a silhouette is
+/// the silhouette of the body's convex hull, so only outlines that are hulls tell the body of a robot with wheels and gaps. What was told of its height and
+/// size is kept. axes: directed (directedAxes). nullopt: too few outlines, or nothing better was found. Pure.
+std::optional<LevelFit> fitLevels(const std::vector<ViewTrack> &views, const std::vector<std::vector<BodyAxis>> &axes, const SolidShape &box,
+                                  const RobotShape &told, const LevelStart &start);
+
+} // namespace odo

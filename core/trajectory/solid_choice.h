@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/silhouette.h"
+#include "core/trajectory/analyser.h"
+#include "core/trajectory/floor_positions.h"
+
+#include <optional>
+#include <vector>
+
+namespace odo {
+
+/// Which solid a robot is, and where each view saw it.
+struct FoundSolid
+{
+    SolidShape shape;
+    double sigmaTopM = 0;                    ///< of a height that was not told
+    std::vector<std::vector<Sighting>> seen; ///< of each observation of each view
+};
+
+/// The simplest solid that explains the outlines of all views: a box or a cylinder (estimateShape), or, of a robot of any look, one of several levels (fitLevels) where
+/// that explains them clearly better. Fits of several levels that begin elsewhere may end in other solids that explain the outlines nearly as well: by how much they put the robot
+/// elsewhere goes into the doubt about its place. nullopt: none explains them. Pure.
+std::optional<FoundSolid> findSolid(const std::vector<ViewTrack> &views, const RobotShape &told);
+
+} // namespace odo

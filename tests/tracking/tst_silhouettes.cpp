@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/tracking/textured_floor.h"
+
+#include "core/tracking/robot_tracker.h"
+#include "core/tracking/silhouette_finder.h"
+
+#include <QTest>
+
+using namespace odo;
+using namespace odo::test;
+
+namespace {
+
+const FrameFormat format = testFormat(480, 360);
+const Eigen::Vector2d low(200, 150), high(248, 186);
+
+Background learned(const Painter &floor)
+{
+    std::mt19937 random(1);
+    BackgroundLearner learner;
+    for (int i = 0; i < 24; ++i) {
+        Painter picture = floor;
+        const double x = 18.0 * i;
+        picture.rectangle({x, 20}, {x + 30, 50}, {30, 30, 30});
+        learner.add(picture.frame(i, i / 10.0, 2, random));
+    }
+    return *learner.learned();
+}
+
+/// A robot of some colour with a soft shadow to its left, which the floor's grain shows through.
+Frame filmed(Painter picture, RgbColour colour, bool hasShadow, std::mt19937 &random, Eigen::Vector2d shift = {0, 0}, double light = 1)
+{
+    if (hasShadow)
+        picture.shade(low + shift - Eigen::Vector2d(20, -8), Eigen::Vector2d(low.x(), high.y()) + shift, 0.7);
+    picture.rectangle(low + shift, high + shift, colour);
+    picture.light(light);
+    return picture.frame(0, 0, 2, random);
+}
+
+} // namespace
+
+class TestSilhouettes : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void aRobotOfAnyColourIsMeasured_data()
+    {
+        QTest::addColumn<QList<int>>("rgb");
+        QTest::addColumn<bool>("hasShadow");
+        QTest::addColumn<double>("light");
+        const std::pair<const char *, QList<int>> looks[] = {{"red", {200, 40, 40}}, {"white", {245, 245, 245}}, {"black", {20, 20, 20}}, {"blue", {40, 40, 160}}};
+        for (const auto &[name, rgb] : looks) {
+            QTest::newRow(name) << rgb << false << 1.0;
+            QTest::addRow("%s with a shadow", name) << rgb << true << 1.0;
+            QTest::addRow("%s in less light", name) << rgb << false << 0.8;
+        }
+        QTest::newRow("grey without texture of its own") << QList<int>{110, 107, 101} << false << 1.0;
+    }
+    void aRobotOfAnyColourIsMeasured()
+    {
+        QFETCH(QList<int>, rgb);
+        QFETCH(bool, hasShadow);
+        QFETCH(double, light);
+        const Painter floor = texturedFloor(format);
+        SilhouetteFinder finder(learned(floor));
+        const RgbColour colour{std::uint8_t(rgb[0]), std::uint8_t(rgb[1]), std::uint8_t(rgb[2])};
+        std::mt19937 random(2);
+        double worstPx = 0, mostArea = 0;
+        for (int i = 0; i < 10; ++i) {
+            const Eigen::Vector2d shift(0.1 * i, 0.07 * i);
+            const auto &seen = finder.find(filmed(floor, colour, hasShadow, random, shift, light));
+            QCOMPARE(seen.size(), std::size_t(1));
+            const RegionMoments &moments = seen.front().moments;
+            worstPx = std::max(worstPx, (moments.centrePx - ((low + high) / 2 + shift)).norm());
+            mostArea = std::max(mostArea, std::abs(moments.areaPx2 / (48 * 36) - 1));
+            QVERIFY(!seen.front().touchesBorder);
+        }
+        // A fifth of a pixel of 48; a shadow's edge is told from the robot's to half a pixel.
+        QVERIFY2(worstPx < (hasShadow ? 0.6 : 0.25), qPrintable(QString::number(worstPx)));
+        QVERIFY2(mostArea < (hasShadow ? 0.05 : 0.03), qPrintable(QString::number(mostArea)));
+    }
+
+    void whereNothingStandsThereIsNothing()
+    {
+        const Painter floor = texturedFloor(format);
+        SilhouetteFinder finder(learned(floor));
+        std::mt19937 random(3);
+        for (const double light : {1.0, 0.7, 1.2}) {
+            Painter lit = floor;
+            lit.light(light);
+            QVERIFY2(finder.find(lit.frame(0, 0, 2, random)).empty(), qPrintable(QString::number(light)));
+        }
+    }
+
+    void whereTheCameraWasMovedNothingIsARobot()
+    {
+        const Painter floor = texturedFloor(format);
+        SilhouetteFinder finder(learned(floor));
+        std::mt19937 random(8);
+        Painter other(format, {60, 120, 60});
+        other.rectangle({100, 100}, {140, 130}, {200, 40, 40});
+        QVERIFY(finder.find(other.frame(0, 0, 2, random)).empty());
+        const Painter small(testFormat(320, 240));
+        QVERIFY(finder.find(small.frame(0, 0, 2, random)).empty());
+    }
+
+    void whatThePicturesEdgeCutsIsMarked()
+    {
+        const Painter floor = texturedFloor(format);
+        SilhouetteFinder finder(learned(floor));
+        std::mt19937 random(4);
+        const auto &seen = finder.find(filmed(floor, {200, 40, 40}, false, random, {-225, 0}));
+        QCOMPARE(seen.size(), std::size_t(1));
+        QVERIFY(seen.front().touchesBorder);
+    }
+
+    void robotsAreFollowedBesideColouredOnes()
+    {
+        const Painter floor = texturedFloor(format);
+        const auto tracker = RobotTracker::create({{"Any 1", {}}, {"Red 1", RgbColour{200, 40, 40}}, {"Any 2", {}}}, learned(floor));
+        QVERIFY(tracker.has_value());
+        std::mt19937 random(5);
+        int wrong = 0;
+        for (std::int64_t i = 0; i < 60; ++i) {
+            Painter picture = floor;
+            const double x = 40 + 5.0 * double(i);
+            picture.rectangle({x, 60}, {x + 44, 90}, {30, 30, 30});
+            picture.rectangle({400 - x, 150}, {440 - x, 180}, {200, 40, 40});
+            picture.rectangle({x, 250}, {x + 30, 274}, {240, 240, 240});
+            const auto seen = (*tracker)->track(picture.frame(i, double(i) / 30, 2, random));
+            QCOMPARE(seen.size(), std::size_t(3));
+            const auto isAt = [&](const Observation &one, double atX, double atY) {
+                return one.found && (one.ellipse.centrePx - Eigen::Vector2d(atX, atY)).norm() < 1.5;
+            };
+            wrong += !isAt(seen[0], x + 22, 75) + !isAt(seen[1], 420 - x, 165) + !isAt(seen[2], x + 15, 262);
+        }
+        QVERIFY2(wrong < 4, qPrintable(QString::number(wrong))); // a coloured one is searched for a frame or two
+        QVERIFY(!(*tracker)->neededRegion(Nanoseconds(0)));      // all of the picture is looked at
+    }
+
+    void withoutABackgroundNothingIsFound()
+    {
+        const auto tracker = RobotTracker::create({{"Any 1", {}}}, {});
+        std::mt19937 random(6);
+        const Painter floor = texturedFloor(format);
+        const auto seen = (*tracker)->track(filmed(floor, {20, 20, 20}, false, random));
+        QVERIFY(seen.size() == 1 && !seen.front().found);
+        (*tracker)->setBackground(learned(floor));
+        QVERIFY((*tracker)->track(filmed(floor, {20, 20, 20}, false, random, {3, 0})).front().found);
+    }
+
+    void aRepeatedPictureIsMarked()
+    {
+        const Painter floor = texturedFloor(format);
+        const auto tracker = RobotTracker::create({{"Any 1", {}}}, learned(floor));
+        std::mt19937 random(7);
+        Frame frame = filmed(floor, {20, 20, 20}, false, random);
+        QVERIFY(!(*tracker)->track(frame).front().duplicateFrame);
+        ++frame.index;
+        const auto again = (*tracker)->track(frame).front();
+        QVERIFY(again.duplicateFrame && again.found && again.frame == 1);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestSilhouettes)
+#include "tst_silhouettes.moc"

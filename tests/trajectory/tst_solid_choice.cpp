@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/trajectory/filmed_solid.h"
+
+#include "core/trajectory/axis_track.h"
+#include "core/trajectory/body_direction.h"
+#include "core/trajectory/solid_choice.h"
+
+#include <QTest>
+#include <numbers>
+
+using namespace odo;
+using namespace odo::test;
+
+namespace {
+
+const RobotShape anyLook{.anyLook = true};
+
+const Course eight = figureEight(0.9, 0.6, 7);
+
+/// A buggy: wheels wide on the floor, a longer chassis above it, an upper part that sits to the rear.
+SolidShape buggy()
+{
+    SolidShape shape;
+    shape.form = SolidShape::Form::Levels;
+    shape.levels = {SolidLevel{0.004, 0.05, 0.06, 0.09, 0.09}, SolidLevel{0.045, 0.10, 0.10, 0.07, 0.07}, SolidLevel{0.095, 0.03, 0.08, 0.05, 0.05}};
+    shape.lengthM = 0.20;
+    shape.widthM = 0.18;
+    shape.topM = 0.095;
+    return shape;
+}
+
+struct PlaceErrors
+{
+    double rmsM = 0, insideShare = 0;
+};
+
+PlaceErrors errorsOf(const std::vector<Sighting> &sightings)
+{
+    PlaceErrors errors;
+    double count = 0;
+    for (const Sighting &sighting : sightings) {
+        if (!sighting.seen)
+            continue;
+        const Eigen::Vector2d off = sighting.place.pointInWorld - eight(toSeconds(sighting.time)).position;
+        const Eigen::Matrix2d covariance = sighting.place.pixelCovariance + sighting.place.calibrationCovariance;
+        errors.rmsM += off.squaredNorm();
+        errors.insideShare += off.dot(covariance.inverse() * off) < 5.991; // 95 % of two dimensions
+        count += 1;
+    }
+    return {std::sqrt(errors.rmsM / count), errors.insideShare / count};
+}
+
+} // namespace
+
+class TestSolidChoice : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void aBuggyIsNoBox_data()
+    {
+        QTest::addColumn<int>("seed");
+        for (int seed = 1; seed <= 6; ++seed)
+            QTest::addRow("seed %d", seed) << seed;
+    }
+    void aBuggyIsNoBox()
+    {
+        QFETCH(int, seed);
+        std::mt19937 random{std::uint32_t(seed)};
+        const std::vector<ViewTrack> views{filmSolid("A", cameraA(), buggy(), eight, 0.2, random), filmSolid("B", cameraB(), buggy(), eight, 0.2, random)};
+        const auto solid = findSolid(views, anyLook);
+        QVERIFY(solid.has_value());
+        QCOMPARE(int(solid->shape.form), int(SolidShape::Form::Levels));
+        // A tenth of the sizes: the levels that lie inside the hull of the others show nothing of themselves.
+        QVERIFY2(std::abs(solid->shape.lengthM - 0.20) < 0.02 && std::abs(solid->shape.widthM - 0.18) < 0.02,
+                 qPrintable(QStringLiteral("%1 %2").arg(solid->shape.lengthM).arg(solid->shape.widthM)));
+        QVERIFY2(std::abs(solid->shape.topM - 0.095) < 0.012, qPrintable(QString::number(solid->shape.topM)));
+        for (const auto &view : solid->seen) {
+            const PlaceErrors errors = errorsOf(view);
+            QVERIFY2(errors.rmsM < 0.004, qPrintable(QString::number(errors.rmsM)));
+            QVERIFY2(errors.insideShare > 0.8, qPrintable(QString::number(errors.insideShare)));
+        }
+    }
+
+    void aColouredPartIsMeasuredAsBefore()
+    {
+        std::mt19937 random(1);
+        const std::vector<ViewTrack> views{filmSolid("A", cameraA(), buggy(), eight, 0.2, random), filmSolid("B", cameraB(), buggy(), eight, 0.2, random)};
+        const auto solid = findSolid(views, {});
+        QVERIFY(!solid || solid->shape.form != SolidShape::Form::Levels);
+    }
+
+    void aBoxStaysABox()
+    {
+        const SolidShape box{SolidShape::Form::Box, 0.26, 0.19, 0, 0.06};
+        std::mt19937 random(4);
+        const std::vector<ViewTrack> views{filmSolid("A", cameraA(), box, eight, 0.05, random), filmSolid("B", cameraB(), box, eight, 0.05, random)};
+        const auto solid = findSolid(views, anyLook);
+        QVERIFY(solid && solid->shape.form == SolidShape::Form::Box);
+        QVERIFY(errorsOf(solid->seen.front()).rmsM < 0.002);
+    }
+
+    void whatNoSolidExplainsGivesNone()
+    {
+        const SolidShape box{SolidShape::Form::Box, 0.26, 0.19, 0, 0.06};
+        std::mt19937 random(5);
+        ViewTrack track = filmSolid("A", cameraA(), box, eight, 0.05, random);
+        for (std::size_t i = 0; i < track.observations.size(); ++i)
+            track.observations[i].ellipse.semiMajorPx *= i % 2 == 0 ? 1.6 : 0.8;
+        QVERIFY(!findSolid({track}, anyLook));
+    }
+
+    void theFrontIsWhereItMovesTo()
+    {
+        const SolidShape box{SolidShape::Form::Box, 0.26, 0.12, 0, 0.06};
+        std::mt19937 random(6);
+        const std::vector<ViewTrack> views{filmSolid("A", cameraA(), box, eight, 0.05, random)};
+        const auto axes = trackAxis(views, box);
+        const auto seen = placeBody(views, box, axes);
+        for (const auto &directions : {directedAxes(views, seen, axes), directionsOfMotion(views, seen, axes)}) {
+            int wrong = 0;
+            for (std::size_t i = 10; i + 10 < seen.front().size(); ++i) {
+                const double truth = headingOf(eight(toSeconds(views.front().observations[i].time)));
+                wrong += std::abs(std::remainder(directions.front()[i].angleRad - truth, 2 * std::numbers::pi)) > 0.2;
+            }
+            QVERIFY2(wrong < 5, qPrintable(QString::number(wrong)));
+        }
+    }
+
+    void aRobotThatStandsHasNoDirectionOfMotion()
+    {
+        const SolidShape box{SolidShape::Form::Box, 0.26, 0.12, 0, 0.06};
+        std::mt19937 random(7);
+        const Course still = [](double) { return Truth{{0.3, 0.2}, {1e-9, 0}, {0, 0}}; };
+        const std::vector<ViewTrack> views{filmSolid("A", cameraA(), box, still, 0.05, random)};
+        const auto axes = trackAxis(views, box);
+        const auto directions = directionsOfMotion(views, placeBody(views, box, axes), axes);
+        for (const BodyAxis &axis : directions.front())
+            QVERIFY(axis.sigmaRad > unknownAxisSigmaRad);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestSolidChoice)
+#include "tst_solid_choice.moc"
