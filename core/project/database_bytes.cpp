@@ -60,4 +60,12 @@ bool DatabaseBytes::read(std::span<std::byte> into, std::uintmax_t offset) const
     return code == SQLITE_OK || code == SQLITE_IOERR_SHORT_READ;
 }
 
+std::uint32_t bigEndian(std::span<const std::byte> bytes, std::size_t offset)
+{
+    std::uint32_t number = 0;
+    for (const std::byte byte : bytes.subspan(offset, 4))
+        number = number << 8U | std::to_integer<std::uint32_t>(byte);
+    return number;
+}
+
 } // namespace odo

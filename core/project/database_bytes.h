@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -34,5 +35,11 @@ private:
     std::vector<std::max_align_t> m_memory;
     sqlite3_file *m_file = nullptr;
 };
+
+/// With which a database file begins: https://www.sqlite.org/fileformat.html, section 1.3.
+using DatabaseHeader = std::array<std::byte, 100>;
+
+/// A number as the file and its log hold them.
+std::uint32_t bigEndian(std::span<const std::byte> bytes, std::size_t offset);
 
 } // namespace odo

@@ -8,7 +8,6 @@
 #include "core/project/side_files.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <fstream>
 #include <span>
@@ -22,12 +21,11 @@ namespace {
 constexpr std::string_view sqliteMagic("SQLite format 3\0", 16);
 constexpr std::size_t pageSizeOffset = 16, changeCounterOffset = 24, pageCountOffset = 28, schemaFormatOffset = 44,
                       userVersionOffset = 60, applicationIdOffset = 68, countValidForOffset = 92;
-using Header = std::array<std::uint8_t, 100>;
+using Header = DatabaseHeader;
 
-std::uint32_t bigEndian(const Header &header, std::size_t offset)
+bool isOfSqlite(const Header &header)
 {
-    return std::uint32_t(header[offset]) << 24 | std::uint32_t(header[offset + 1]) << 16 |
-           std::uint32_t(header[offset + 2]) << 8 | header[offset + 3];
+    return std::ranges::equal(std::as_bytes(std::span(sqliteMagic)), std::span(header).first(sqliteMagic.size()));
 }
 
 /// The size that the header promises, or 0 where it does not say.
@@ -35,7 +33,7 @@ std::uintmax_t promisedBytes(const Header &header)
 {
     if (bigEndian(header, changeCounterOffset) != bigEndian(header, countValidForOffset))
         return 0;
-    const std::uint32_t coded = std::uint32_t(header[pageSizeOffset]) << 8 | header[pageSizeOffset + 1];
+    const std::uint32_t coded = bigEndian(header, pageSizeOffset) >> 16; // two bytes
     const std::uintmax_t pageBytes = coded == 1 ? 65536 : coded;
     return pageBytes * bigEndian(header, pageCountOffset);
 }
@@ -84,7 +82,7 @@ bool isProjectFile(const std::filesystem::path &file)
         return false;
     const DatabaseBytes bytes(file);
     Header header{};
-    return bytes.read(std::as_writable_bytes(std::span(header)), 0) && std::equal(sqliteMagic.begin(), sqliteMagic.end(), header.begin()) &&
+    return bytes.read(header, 0) && isOfSqlite(header) &&
            bigEndian(header, applicationIdOffset) == projectApplicationId;
 }
 
@@ -108,11 +106,11 @@ Result<void> checkFileHeader(const std::filesystem::path &file, int newestVersio
     const std::string what = nameOf(file);
     const DatabaseBytes bytes(file);
     Header header{};
-    if (!bytes.read(std::as_writable_bytes(std::span(header)), 0))
+    if (!bytes.read(header, 0))
         return fail(ErrorCode::Io, what, "it cannot be read", "check that you may read the file");
     if (bytes.size() == 0)
         return fail(ErrorCode::InvalidInput, what, "the file is empty", "restore it from a backup copy");
-    if (!std::equal(sqliteMagic.begin(), sqliteMagic.end(), header.begin()))
+    if (!isOfSqlite(header))
         return fail(ErrorCode::InvalidInput, what, "it is not a project file",
                     "choose a file that Odograph has written");
     if (bytes.size() < header.size())

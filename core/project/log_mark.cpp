@@ -36,18 +36,10 @@ LogMark traceOf(LogMark before)
     return (before * spread + spread) >> 1U & ~randomMask;
 }
 
-// Headers of an SQLite file (https://www.sqlite.org/fileformat.html, section 1.3), of a log and of a page in it (section 4.1).
-constexpr std::size_t headerBytes = 100, markOffset = 48, logHeaderBytes = 32, frameHeaderBytes = 24, saltsBytes = 8;
-using Header = std::array<std::byte, headerBytes>;
+// Headers of a database, of a log and of a page in it (https://www.sqlite.org/fileformat.html, section 4.1).
+using Header = DatabaseHeader;
+constexpr std::size_t headerBytes = std::tuple_size_v<Header>, markOffset = 48, logHeaderBytes = 32, frameHeaderBytes = 24, saltsBytes = 8;
 using LogHeader = std::array<std::byte, logHeaderBytes>;
-
-std::uint32_t bigEndian(std::span<const std::byte> bytes, std::size_t offset)
-{
-    std::uint32_t number = 0;
-    for (const std::byte byte : bytes.subspan(offset, 4))
-        number = number << 8U | std::to_integer<std::uint32_t>(byte);
-    return number;
-}
 
 LogMark markIn(std::span<const std::byte> header)
 {

@@ -25,12 +25,6 @@ std::size_t bytesOf(const Frame &frame)
     return std::size_t(frame.y.width) * std::size_t(frame.y.height) + 2 * std::size_t(frame.u.width) * std::size_t(frame.u.height);
 }
 
-bool sameFormat(const FrameFormat &a, const FrameFormat &b)
-{
-    return a.width == b.width && a.height == b.height && a.chromaShiftX == b.chromaShiftX && a.chromaShiftY == b.chromaShiftY &&
-           a.fullRange == b.fullRange && a.matrix == b.matrix;
-}
-
 /// In memory of its own: that of a camera's or decoder's frames is wanted back soon.
 Frame copied(const Frame &frame)
 {
@@ -159,7 +153,7 @@ void BackgroundLearner::keep(const Frame &frame)
 
 void BackgroundLearner::add(const Frame &frame)
 {
-    if (!m_last || !sameFormat(m_last->format, frame.format)) {
+    if (!m_last || !sameLayout(m_last->format, frame.format)) {
         *this = BackgroundLearner();
         m_moving = -1; // the first has moved against nothing
         m_most = std::clamp(mostBytes / std::max<std::size_t>(bytesOf(frame), 1), fewestFrames, mostFrames);

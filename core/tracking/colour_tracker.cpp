@@ -15,12 +15,6 @@ constexpr double leastSaturation =
     8.0;                      ///< code values of 128; paler than that a robot cannot be told from its floor
 constexpr double alike = 0.6; ///< overlap of two robots' colours above which colour does not tell them apart
 
-bool sameLayout(const FrameFormat &a, const FrameFormat &b)
-{
-    return a.width == b.width && a.height == b.height && a.chromaShiftX == b.chromaShiftX &&
-           a.chromaShiftY == b.chromaShiftY && a.matrix == b.matrix && a.fullRange == b.fullRange;
-}
-
 } // namespace
 
 bool isFoundByColour(const TrackTarget &target)
@@ -298,11 +292,7 @@ std::vector<Observation> ColourTracker::track(const Frame &frame)
             d.rebuildTables(tracked);
         }
     }
-    for (Observation &observation : d.last) {
-        observation.frame = frame.index;
-        observation.time = frame.time;
-        observation.duplicateFrame = repeats;
-    }
+    stamp(d.last, frame, repeats);
     return d.last;
 }
 

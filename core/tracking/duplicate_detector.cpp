@@ -59,4 +59,13 @@ bool DuplicateDetector::repeatsTheLast(const Frame &frame)
     return again;
 }
 
+void stamp(std::vector<Observation> &observations, const Frame &frame, bool repeats)
+{
+    for (Observation &observation : observations) {
+        observation.frame = frame.index;
+        observation.time = frame.time;
+        observation.duplicateFrame = repeats;
+    }
+}
+
 } // namespace odo

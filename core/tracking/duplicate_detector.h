@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/tracking/observation.h"
 #include "core/video/frame.h"
 
 #include <optional>
+#include <vector>
 
 namespace odo {
 
@@ -19,5 +21,8 @@ public:
 private:
     std::optional<Frame> m_last;
 };
+
+/// Observations as those of a frame, which repeats the one before it or does not.
+void stamp(std::vector<Observation> &observations, const Frame &frame, bool repeats);
 
 } // namespace odo

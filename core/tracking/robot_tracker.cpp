@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/robot_tracker.h"
 
+#include "core/tracking/duplicate_detector.h"
+
 #include <algorithm>
 
 namespace odo {
@@ -49,10 +51,8 @@ std::vector<Observation> RobotTracker::track(const Frame &frame)
     std::vector<Observation> coloured = m_byColour ? m_byColour->track(frame) : std::vector<Observation>();
     if (m_others.empty())
         return coloured;
-    Observation unseen;
-    unseen.frame = frame.index;
-    unseen.time = frame.time;
-    std::vector<Observation> all(m_coloured.size() + m_others.size(), unseen);
+    std::vector<Observation> all(m_coloured.size() + m_others.size());
+    stamp(all, frame, false);
     if (m_bySilhouette) {
         const std::vector<Observation> others = m_bySilhouette->track(frame, coloured);
         for (std::size_t i = 0; i < m_others.size(); ++i)

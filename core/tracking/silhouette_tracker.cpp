@@ -158,11 +158,7 @@ std::vector<Observation> SilhouetteTracker::track(const Frame &frame, std::span<
             d.assign(frame, std::move(seen));
         }
     }
-    for (Observation &observation : d.last) {
-        observation.frame = frame.index;
-        observation.time = frame.time;
-        observation.duplicateFrame = repeats;
-    }
+    stamp(d.last, frame, repeats);
     return d.last;
 }
 

@@ -41,6 +41,15 @@ OutlineSigma sigmaOfOutline(const RegionMoments &outline)
     return {share, share * outline.covariancePx2.trace() / 2};
 }
 
+OutlineDifferences outlineDifferences(const RegionMoments &seen, const RegionMoments &model, const OutlineSigma &sigma, double centroidSigmaPx)
+{
+    const Eigen::Vector2d place = (seen.centrePx - model.centrePx) / centroidSigmaPx;
+    const Eigen::Matrix2d spread = (seen.covariancePx2 - model.covariancePx2) / sigma.covariancePx2;
+    OutlineDifferences differences;
+    differences << place, std::log(seen.areaPx2 / model.areaPx2) / sigma.areaShare, spread(0, 0), spread(1, 1), spread(0, 1);
+    return differences;
+}
+
 OutlineMisfit::OutlineMisfit(const FloorView &view, const SolidShape &shape, const RegionMoments &seen,
                              const Eigen::Vector2d &position)
     : m_view(&view), m_shape(&shape), m_seen(seen), m_position(position),

@@ -35,6 +35,11 @@ struct OutlineSigma
 };
 OutlineSigma sigmaOfOutline(const RegionMoments &outline);
 
+/// An outline that was seen against that of a solid: two differences of the centroid, of the area's logarithm, three of the second moments, each
+/// over its σ.
+using OutlineDifferences = Eigen::Matrix<double, 6, 1>;
+OutlineDifferences outlineDifferences(const RegionMoments &seen, const RegionMoments &model, const OutlineSigma &sigma, double centroidSigmaPx);
+
 /// How badly the solid, standing where the outline's centroid is seen, explains its second moments when
 /// turned to an angle: the three differences in units of their σ. nullopt: it would lie behind the camera.
 class OutlineMisfit

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/level_fit.h"
 
-#include "core/trajectory/common_outlines.h"
 #include "core/trajectory/view_clock.h"
 
 #include <ceres/ceres.h>
@@ -83,14 +82,8 @@ struct LevelResidual
         seen.areaPx2 /= wider * wider;
         seen.covariancePx2 /= wider * wider;
         seen.centrePx.y() -= form[DrawnLower];
-        const Eigen::Vector2d place = (seen.centrePx - model->centrePx) / centroidSigmaPx;
-        const Eigen::Matrix2d spread = (seen.covariancePx2 - model->covariancePx2) / sigma.covariancePx2;
-        residual[0] = place.x();
-        residual[1] = place.y();
-        residual[2] = std::log(seen.areaPx2 / model->areaPx2) / sigma.areaShare;
-        residual[3] = spread(0, 0);
-        residual[4] = spread(1, 1);
-        residual[5] = spread(0, 1);
+        Eigen::Map<OutlineDifferences> differences(residual);
+        differences = outlineDifferences(seen, *model, sigma, centroidSigmaPx);
         return true;
     }
 };
@@ -166,7 +159,8 @@ std::optional<double> directionAt(const std::vector<ViewTrack> &views, const std
 class LevelProblem
 {
 public:
-    LevelProblem(const std::vector<ViewTrack> &views, const std::vector<std::vector<BodyAxis>> &axes, const SolidShape &box);
+    LevelProblem(const std::vector<CommonOutlines> &times, const std::vector<ViewTrack> &views, const std::vector<std::vector<BodyAxis>> &axes,
+                 const SolidShape &box);
     bool isEnough() const { return m_times.size() >= leastLevelTimes; }
     bool solve(const SolidShape &box, const RobotShape &told, const LevelStart &start);
     std::optional<LevelFit> result();
@@ -185,16 +179,17 @@ private:
     std::vector<ceres::ResidualBlockId> m_blocks; ///< of the outlines
 };
 
-LevelProblem::LevelProblem(const std::vector<ViewTrack> &views, const std::vector<std::vector<BodyAxis>> &axes, const SolidShape &box)
+LevelProblem::LevelProblem(const std::vector<CommonOutlines> &times, const std::vector<ViewTrack> &views,
+                           const std::vector<std::vector<BodyAxis>> &axes, const SolidShape &box)
 {
-    for (CommonOutlines &common : commonOutlines(views, mostLevelTimes)) {
+    for (const CommonOutlines &common : times) {
         const auto direction = directionAt(views, axes, common.time);
         const CommonOutlines::Outline &first = common.outlines.front();
         const auto place = first.view->floorFromPixel(first.moments.centrePx, middleHeightM(box));
         if (!direction || !place)
             continue;
         m_poses.push_back({place->x(), place->y(), *direction});
-        m_times.push_back(std::move(common));
+        m_times.push_back(common);
     }
 }
 
@@ -303,10 +298,15 @@ std::optional<LevelFit> LevelProblem::result()
 
 } // namespace
 
-std::optional<LevelFit> fitLevels(const std::vector<ViewTrack> &views, const std::vector<std::vector<BodyAxis>> &axes, const SolidShape &box,
+std::vector<CommonOutlines> levelTimes(const std::vector<ViewTrack> &views)
+{
+    return commonOutlines(views, mostLevelTimes);
+}
+
+std::optional<LevelFit> fitLevels(const std::vector<CommonOutlines> &times, const std::vector<ViewTrack> &views, const std::vector<std::vector<BodyAxis>> &axes, const SolidShape &box,
                                   const RobotShape &told, const LevelStart &start)
 {
-    LevelProblem problem(views, axes, box);
+    LevelProblem problem(times, views, axes, box);
     return problem.isEnough() && problem.solve(box, told, start) ? problem.result() : std::nullopt;
 }
 

@@ -4,6 +4,7 @@
 #include "core/geometry/silhouette.h"
 #include "core/trajectory/analyser.h"
 #include "core/trajectory/body_outline.h"
+#include "core/trajectory/common_outlines.h"
 
 #include <optional>
 #include <vector>
@@ -35,12 +36,16 @@ struct LevelFit
     std::vector<BodyPose> poses; ///< at the times it was fitted to, in order
 };
 
+/// The outlines that a solid of levels is fitted to.
+std::vector<CommonOutlines> levelTimes(const std::vector<ViewTrack> &views);
+
 /// The convex solid of three levels whose silhouettes a robot's outlines are, where a box is not enough: clearance, a chassis, wheels, a narrower upper
-/// part, round corners. Fitted together with a pose for each of some sixty times by weighted least squares of the outlines' centroids, areas and second
+/// part, round corners. Fitted together with a pose for each of some forty times by weighted least squares of the outlines' centroids, areas and second
 /// moments over all views (Ceres, Cauchy's loss), from the box that is known and the directions that the body then had. The convex hull of a silhouette is
 /// the silhouette of the body's convex hull, so only outlines that are hulls tell the body of a robot with wheels and gaps. What was told of its height and
 /// size is kept. axes: directed (directedAxes). nullopt: too few outlines, or nothing better was found. Pure.
-std::optional<LevelFit> fitLevels(const std::vector<ViewTrack> &views, const std::vector<std::vector<BodyAxis>> &axes, const SolidShape &box,
+/// times: levelTimes(views), which several fits share.
+std::optional<LevelFit> fitLevels(const std::vector<CommonOutlines> &times, const std::vector<ViewTrack> &views, const std::vector<std::vector<BodyAxis>> &axes, const SolidShape &box,
                                   const RobotShape &told, const LevelStart &start);
 
 } // namespace odo

@@ -48,8 +48,7 @@ SolidShape solidOf(const double *form, SolidShape::Form kind)
     return solid;
 }
 
-/// One view's outline against the solid's silhouette: two differences of the centroid, of the area's
-/// logarithm, three of the second moments, each over its σ.
+/// One view's outline against the solid's silhouette (outlineDifferences).
 struct OutlineResidual
 {
     const CommonOutlines::Outline &outline;
@@ -62,16 +61,8 @@ struct OutlineResidual
             std::fill_n(residual, 6, impossible);
             return true;
         }
-        const RegionMoments &seen = outline.moments;
-        const OutlineSigma sigma = sigmaOfOutline(seen);
-        const Eigen::Vector2d place = (seen.centrePx - model->centrePx) / placeSigmaPx;
-        const Eigen::Matrix2d spread = (seen.covariancePx2 - model->covariancePx2) / sigma.covariancePx2;
-        residual[0] = place.x();
-        residual[1] = place.y();
-        residual[2] = std::log(seen.areaPx2 / model->areaPx2) / sigma.areaShare;
-        residual[3] = spread(0, 0);
-        residual[4] = spread(1, 1);
-        residual[5] = spread(0, 1);
+        Eigen::Map<OutlineDifferences> differences(residual);
+        differences = outlineDifferences(outline.moments, *model, sigmaOfOutline(outline.moments), placeSigmaPx);
         return true;
     }
 };

@@ -93,9 +93,10 @@ bool takeSolidOfLevels(const std::vector<ViewTrack> &views, const RobotShape &to
     // A body that is nearly square does not tell its axis, but mostly moves along it.
     const Axes directed = directedAxes(views, solid.seen, axes), moved = directionsOfMotion(views, solid.seen, axes);
     const std::pair<const Axes *, LevelStart> starts[] = {{&directed, {}}, {&moved, {}}, {&moved, {taper, topShift}}, {&moved, {taper, -topShift}}};
+    const std::vector<CommonOutlines> times = levelTimes(views);
     std::vector<StartedFit> fits;
     for (const auto &[directions, start] : starts) {
-        if (auto fit = fitLevels(views, *directions, solid.shape, told, start))
+        if (auto fit = fitLevels(times, views, *directions, solid.shape, told, start))
             fits.push_back({std::move(*fit), directions});
     }
     const auto best = std::ranges::min_element(fits, {}, [](const StartedFit &one) { return one.fit.misfit; });

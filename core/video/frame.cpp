@@ -15,6 +15,12 @@ Result<Frame> wholeFrame(const Frame &frame)
     return whole;
 }
 
+bool sameLayout(const FrameFormat &a, const FrameFormat &b)
+{
+    return a.width == b.width && a.height == b.height && a.chromaShiftX == b.chromaShiftX && a.chromaShiftY == b.chromaShiftY &&
+           a.matrix == b.matrix && a.fullRange == b.fullRange;
+}
+
 double FrameFormat::chromaOffsetX() const
 {
     if (chromaShiftX == 0 || siting != ChromaSiting::Center)

@@ -46,6 +46,9 @@ struct FrameFormat
     double chromaOffsetY() const;
 };
 
+/// Whether samples of both lie at the same places and mean the same, but for where chroma is sited.
+bool sameLayout(const FrameFormat &a, const FrameFormat &b);
+
 struct Frame;
 
 /// A picture as it was coded, kept so that more of it can be decoded later. Any thread.

@@ -14,13 +14,6 @@ namespace {
 // A block's time stamp is 16 bits relative to its cluster's; in microseconds that is 32 ms.
 constexpr int longestMatroskaClusterUs = 30'000;
 
-bool sameFormat(const FrameFormat &a, const FrameFormat &b)
-{
-    return a.width == b.width && a.height == b.height && a.chromaShiftX == b.chromaShiftX &&
-           a.chromaShiftY == b.chromaShiftY && a.fullRange == b.fullRange && a.matrix == b.matrix &&
-           a.siting == b.siting;
-}
-
 } // namespace
 
 FileKind videoKind(const std::filesystem::path &file)
@@ -196,7 +189,7 @@ Result<void> VideoWriter::write(const Frame &frame)
     const std::string what = "cannot write a frame to the video " + d.file.string();
     if (d.failed)
         return fail(ErrorCode::Io, what, "writing has failed before", "start the video again");
-    if (!sameFormat(frame.format, d.format))
+    if (!sameLayout(frame.format, d.format) || frame.format.siting != d.format.siting)
         return fail(ErrorCode::InvalidInput, what, "its format differs from the video's",
                     "write one format to a file");
     if (!d.started)

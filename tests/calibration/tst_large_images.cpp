@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <fstream>
 #include <functional>
+#include <future>
 #include <opencv2/aruco/charuco.hpp>
 #include <opencv2/imgproc.hpp>
 #include <thread>
@@ -106,16 +107,20 @@ private Q_SLOTS:
         const Frame frame = grey();
         const CancelToken cancel;
         QElapsedTimer sinceCancelled;
+        std::promise<void> begun;
         std::thread canceller([&] {
-            std::this_thread::sleep_for(std::chrono::milliseconds(300));
+            begun.get_future().wait();
             sinceCancelled.start();
             cancel.cancel();
         });
         const CancelScope scope(&cancel);
         bool ended = false;
         try {
-            for (int i = 0; i < 100; ++i)
+            for (int i = 0; i < 100; ++i) {
+                if (i == 1) // it has done one to its end
+                    begun.set_value();
                 static_cast<void>(findBoard(frame, {}, "grey"));
+            }
         } catch (const WorkCancelled &) {
             ended = true;
         }
