@@ -7,11 +7,30 @@
 
 namespace odo {
 
+namespace {
+
+/// With its middle left out where nobody would read it to its end; whole characters of UTF-8.
+std::string shortened(const std::string &part)
+{
+    constexpr std::size_t longest = 600, kept = longest / 2;
+    if (part.size() <= longest)
+        return part;
+    const auto isInside = [&part](std::size_t at) { return (static_cast<unsigned char>(part[at]) & 0xC0) == 0x80; };
+    std::size_t end = kept, begin = part.size() - kept;
+    while (end > 0 && isInside(end))
+        --end;
+    while (begin < part.size() && isInside(begin))
+        ++begin;
+    return part.substr(0, end) + "…" + part.substr(begin);
+}
+
+} // namespace
+
 std::string Error::message() const
 {
-    std::string line = what + ": " + why;
+    std::string line = shortened(what) + ": " + shortened(why);
     if (!advice.empty())
-        line += "; " + advice;
+        line += "; " + shortened(advice);
     std::ranges::replace_if(line, [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
     return plainLine(line);
 }

@@ -30,7 +30,7 @@ struct Error
     std::string why;    ///< the cause, with line or figure where there is one
     std::string advice; ///< what the user can do now
 
-    /// "what: why; advice", on one line: control characters are replaced by spaces.
+    /// "what: why; advice", on one line: control characters are replaced by spaces, and of a part of more than 600 bytes (a long path) the middle is left out.
     std::string message() const;
 };
 

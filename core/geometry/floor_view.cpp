@@ -109,4 +109,11 @@ std::optional<Vector2d> FloorView::pixelFromWorld(const Vector3d &pointInWorld) 
     return m_camera.project(m_cameraFromWorld * pointInWorld);
 }
 
+std::optional<Vector2d> FloorView::pixelFromWorld(const Vector3d &pointInWorld, Eigen::Matrix<double, 2, 3> &pixelByWorld) const
+{
+    const auto pixel = m_camera.project(m_cameraFromWorld * pointInWorld, pixelByWorld);
+    pixelByWorld *= m_cameraFromWorld.rotation.toRotationMatrix();
+    return pixel;
+}
+
 } // namespace odo

@@ -70,6 +70,8 @@ public:
     /// Pixel of a world point; nullopt behind the camera or where the lens model folds. May lie outside the
     /// picture.
     std::optional<Eigen::Vector2d> pixelFromWorld(const Eigen::Vector3d &pointInWorld) const;
+    /// As before, with the derivative of the pixel by the point.
+    std::optional<Eigen::Vector2d> pixelFromWorld(const Eigen::Vector3d &pointInWorld, Eigen::Matrix<double, 2, 3> &pixelByWorld) const;
 
 private:
     /// Derivatives about a point: of it in its plane by the pixel, and of its pixel by point and calibration.

@@ -3,6 +3,7 @@
 
 #include "core/base/cancel_scope.h"
 #include "core/geometry/convex_hull.h"
+#include "core/geometry/support.h"
 
 #include <cmath>
 #include <numbers>
@@ -63,12 +64,9 @@ bool addPixels(const FloorView &view, const std::vector<Vector2d> &places, doubl
     return true;
 }
 
-} // namespace
-
-std::optional<RegionMoments> silhouetteMoments(const FloorView &view, const SolidShape &shape,
-                                               const Vector2d &positionInWorld, double headingRad)
+/// Corners of the solid in the picture: its outline is their convex hull.
+std::optional<std::vector<Vector2d>> cornerPixels(const FloorView &view, const SolidShape &shape, const Vector2d &positionInWorld, double headingRad)
 {
-    endIfCancelled(); // whoever fits a solid asks for thousands
     std::vector<Vector2d> pixels;
     if (shape.form == SolidShape::Form::Levels) {
         const Vector2d along(std::cos(headingRad), std::sin(headingRad)), across(-along.y(), along.x());
@@ -81,14 +79,31 @@ std::optional<RegionMoments> silhouetteMoments(const FloorView &view, const Soli
             if (!addPixels(view, corners, level.heightM, pixels))
                 return std::nullopt;
         }
-        return polygonMoments(convexHull(std::move(pixels)));
+        return pixels;
     }
     std::vector<Vector2d> corners = footprint(shape, headingRad);
     for (Vector2d &corner : corners)
         corner += positionInWorld;
     if (!addPixels(view, corners, shape.baseM, pixels) || (shape.baseM != shape.topM && !addPixels(view, corners, shape.topM, pixels)))
         return std::nullopt;
-    return polygonMoments(convexHull(std::move(pixels)));
+    return pixels;
+}
+
+} // namespace
+
+std::optional<RegionMoments> silhouetteMoments(const FloorView &view, const SolidShape &shape,
+                                               const Vector2d &positionInWorld, double headingRad)
+{
+    endIfCancelled(); // whoever fits a solid asks for thousands
+    auto pixels = cornerPixels(view, shape, positionInWorld, headingRad);
+    return pixels ? std::optional(polygonMoments(convexHull(std::move(*pixels)))) : std::nullopt;
+}
+
+std::optional<std::vector<float>> silhouetteSupport(const FloorView &view, const SolidShape &shape, const Vector2d &positionInWorld, double headingRad,
+                                                    const Vector2d &aboutPx)
+{
+    const auto pixels = cornerPixels(view, shape, positionInWorld, headingRad);
+    return pixels ? std::optional(supportOf(*pixels, aboutPx)) : std::nullopt;
 }
 
 } // namespace odo

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <optional>
+#include <vector>
 
 namespace odo {
 
@@ -36,5 +37,8 @@ struct SolidShape
 /// nullopt: a corner lies behind the camera, or where the lens model folds.
 std::optional<RegionMoments> silhouetteMoments(const FloorView &view, const SolidShape &shape,
                                                const Eigen::Vector2d &positionInWorld, double headingRad);
+/// The support function of what a view sees of it (core/geometry/support.h), about a pixel. nullopt: as before.
+std::optional<std::vector<float>> silhouetteSupport(const FloorView &view, const SolidShape &shape, const Eigen::Vector2d &positionInWorld, double headingRad,
+                                                    const Eigen::Vector2d &aboutPx);
 
 } // namespace odo

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/series_blobs.h"
 
+#include "core/geometry/support.h"
 #include "core/project/column_blob.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace odo {
@@ -13,6 +15,7 @@ constexpr BlobLayout timesLayout{'T', 1, 8};
 constexpr BlobLayout rawTimesLayout{'A', 1, 3 * 8};
 constexpr BlobLayout clockReadingsLayout{'K', 1, 3 * 8};
 constexpr BlobLayout observationsLayout{'O', 1, 8 + 8 + 1 + 10 * 8};
+constexpr BlobLayout supportedLayout{'O', 2, observationsLayout.bytesPerRow + 4 * std::uint32_t(supportDirections)}; // with the support of each outline
 constexpr BlobLayout samplesLayout{'S', 1, 8 + 8 + 1 + 8 * 8 + 4 + 8 + 4};
 constexpr BlobLayout pointsLayout{'P', 1, 1 + 12 * 8};
 constexpr BlobLayout truthLayout{'R', 1, 8 + 6 * 8};
@@ -143,7 +146,8 @@ Result<void> unpackClockReadings(const QByteArray &bytes, const std::string &wha
 
 QByteArray packObservations(std::span<const Observation> observations)
 {
-    BlobWriter writer(observationsLayout, observations.size());
+    const bool hasSupport = std::ranges::any_of(observations, [](const Observation &o) { return o.supportPx.size() == supportDirections; });
+    BlobWriter writer(hasSupport ? supportedLayout : observationsLayout, observations.size());
     const auto column = [&](auto value) { putColumn(writer, observations, value); };
     column([](const Observation &o) { return o.frame; });
     column([](const Observation &o) { return static_cast<std::int64_t>(o.time.count()); });
@@ -158,13 +162,16 @@ QByteArray packObservations(std::span<const Observation> observations)
     putCovariance(writer, observations, [](const Observation &o) { return o.centreCovariancePx2; });
     column([](const Observation &o) { return o.areaPx; });
     column([](const Observation &o) { return o.score; });
+    for (std::size_t k = 0; k < supportDirections && hasSupport; ++k)
+        column([k](const Observation &o) { return o.supportPx.size() == supportDirections ? o.supportPx[k] : 0.0F; });
     return writer.take();
 }
 
 Result<void> unpackObservations(const QByteArray &bytes, const std::string &what,
                                 std::vector<Observation> &appendTo)
 {
-    auto reader = BlobReader::open(bytes, observationsLayout, what);
+    const bool hasSupport = bytes.size() > 1 && std::uint8_t(bytes[1]) == supportedLayout.version;
+    auto reader = BlobReader::open(bytes, hasSupport ? supportedLayout : observationsLayout, what);
     if (!reader)
         return tl::unexpected(reader.error());
     const auto rows = appended(appendTo, reader->rows());
@@ -183,6 +190,16 @@ Result<void> unpackObservations(const QByteArray &bytes, const std::string &what
     takeCovariance(*reader, rows, [](Observation &o) -> Eigen::Matrix2d & { return o.centreCovariancePx2; });
     takeColumn<double>(*reader, rows, [](Observation &o, double value) { o.areaPx = value; });
     takeColumn<double>(*reader, rows, [](Observation &o, double value) { o.score = value; });
+    if (!hasSupport)
+        return {};
+    for (Observation &o : rows)
+        o.supportPx.resize(o.found ? supportDirections : 0);
+    for (std::size_t k = 0; k < supportDirections; ++k) {
+        takeColumn<float>(*reader, rows, [k](Observation &o, float value) {
+            if (o.found)
+                o.supportPx[k] = value;
+        });
+    }
     return {};
 }
 

@@ -17,6 +17,7 @@ struct TrackTarget
 {
     std::string name;
     std::optional<RgbColour> colour; ///< none: of any look
+    bool wholeOutline = false; ///< measured by its silhouette; where it has a colour, that tells which silhouette is its own
 };
 
 /// Whether a colour was told that has chroma: black, grey and white have none, and robots of them are found as those of any look are.

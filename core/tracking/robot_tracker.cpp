@@ -7,9 +7,18 @@
 
 namespace odo {
 
+namespace {
+
+bool bySilhouette(const TrackTarget &target)
+{
+    return target.wholeOutline || !isFoundByColour(target);
+}
+
+} // namespace
+
 bool needsBackground(const std::vector<TrackTarget> &targets)
 {
-    return std::ranges::any_of(targets, [](const TrackTarget &target) { return !isFoundByColour(target); });
+    return std::ranges::any_of(targets, bySilhouette);
 }
 
 Result<std::unique_ptr<RobotTracker>> RobotTracker::create(const std::vector<TrackTarget> &targets, std::optional<Background> background)
@@ -17,11 +26,14 @@ Result<std::unique_ptr<RobotTracker>> RobotTracker::create(const std::vector<Tra
     std::unique_ptr<RobotTracker> tracker(new RobotTracker);
     std::vector<TrackTarget> coloured;
     for (std::size_t i = 0; i < targets.size(); ++i) {
-        const bool byColour = isFoundByColour(targets[i]);
-        (byColour ? tracker->m_coloured : tracker->m_others).push_back(i);
-        if (byColour)
-            coloured.push_back(targets[i]);
+        if (bySilhouette(targets[i]))
+            tracker->m_others.push_back(i);
+        if (!isFoundByColour(targets[i]))
+            continue;
+        tracker->m_coloured.push_back(i);
+        coloured.push_back(targets[i]);
     }
+    tracker->m_targets = targets;
     if (tracker->m_others.empty() || !coloured.empty()) {
         auto byColour = ColourTracker::create(std::move(coloured));
         if (!byColour)
@@ -51,21 +63,29 @@ std::vector<Observation> RobotTracker::track(const Frame &frame)
     std::vector<Observation> coloured = m_byColour ? m_byColour->track(frame) : std::vector<Observation>();
     if (m_others.empty())
         return coloured;
-    std::vector<Observation> all(m_coloured.size() + m_others.size());
+    std::vector<Observation> all(m_targets.size()), elsewhere;
     stamp(all, frame, false);
-    if (m_bySilhouette) {
-        const std::vector<Observation> others = m_bySilhouette->track(frame, coloured);
-        for (std::size_t i = 0; i < m_others.size(); ++i)
-            all[m_others[i]] = others[i];
+    std::vector<SilhouetteCue> cues(m_others.size());
+    for (std::size_t i = 0; i < m_coloured.size(); ++i) {
+        const auto own = std::ranges::find(m_others, m_coloured[i]);
+        if (own != m_others.end()) {
+            cues[std::size_t(own - m_others.begin())] = {&coloured[i], chromaOf(*m_targets[*own].colour, frame.format)};
+        } else {
+            all[m_coloured[i]] = coloured[i];
+            elsewhere.push_back(coloured[i]);
+        }
     }
-    for (std::size_t i = 0; i < m_coloured.size(); ++i)
-        all[m_coloured[i]] = coloured[i];
+    if (m_bySilhouette) {
+        std::vector<Observation> whole = m_bySilhouette->track(frame, elsewhere, cues);
+        for (std::size_t i = 0; i < m_others.size(); ++i)
+            all[m_others[i]] = std::move(whole[i]);
+    }
     return all;
 }
 
 std::vector<double> RobotTracker::sharesAlike() const
 {
-    std::vector<double> shares(m_coloured.size() + m_others.size());
+    std::vector<double> shares(m_targets.size());
     for (std::size_t i = 0; m_byColour && i < m_byColour->sharesAlike().size(); ++i)
         shares[m_coloured[i]] = m_byColour->sharesAlike()[i];
     return shares;

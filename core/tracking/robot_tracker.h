@@ -11,8 +11,8 @@
 
 namespace odo {
 
-/// Follows all robots of a project through the frames of one view: those of which a colour with chroma was told by it (ColourTracker), the others by their
-/// silhouettes (SilhouetteTracker). Feed every frame in order. Not thread-safe; one tracker a view.
+/// Follows all robots of a project through the frames of one view: those of which a colour with chroma was told by it (ColourTracker), the others, and those of which
+/// the whole outline is wanted, by their silhouettes (SilhouetteTracker). Feed every frame in order. Not thread-safe; one tracker a view.
 class RobotTracker
 {
 public:
@@ -35,10 +35,11 @@ private:
 
     std::unique_ptr<ColourTracker> m_byColour;
     std::unique_ptr<SilhouetteTracker> m_bySilhouette;
-    std::vector<std::size_t> m_coloured, m_others; ///< targets
+    std::vector<std::size_t> m_coloured, m_others; ///< targets; one whose whole outline is wanted may be both
+    std::vector<TrackTarget> m_targets;
 };
 
-/// Whether some robot is to be found by its silhouette, which takes a background.
+/// Whether some robot is to be measured by its silhouette, which takes a background.
 bool needsBackground(const std::vector<TrackTarget> &targets);
 
 } // namespace odo

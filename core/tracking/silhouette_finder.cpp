@@ -2,6 +2,7 @@
 #include "core/tracking/silhouette_finder.h"
 
 #include "core/geometry/convex_hull.h"
+#include "core/geometry/support.h"
 #include "core/tracking/compared_window.h"
 #include "core/tracking/light_gain.h"
 
@@ -206,7 +207,9 @@ void SilhouetteFinder::Impl::measure(const cv::Mat1b &region, const cv::Rect &bo
     const std::vector<Eigen::Vector2d> points = edgePoints(covered);
     if (points.size() < 8)
         return;
-    silhouette.moments = polygonMoments(convexHull(points));
+    const std::vector<Eigen::Vector2d> hull = convexHull(points);
+    silhouette.moments = polygonMoments(hull);
+    silhouette.supportPx = supportOf(hull, silhouette.moments.centrePx);
     silhouette.moments.centrePx += Eigen::Vector2d(w.rect.x0 + part.x, w.rect.y0 + part.y);
     // An edge is in doubt by some part of a pixel, alike over some pixels of it, and pulls the centre by its distance from it.
     const double perimeter = 4 * std::sqrt(silhouette.moments.areaPx2);

@@ -15,6 +15,7 @@ struct SeenSilhouette
 {
     PixelRect box;
     RegionMoments moments; ///< of its convex hull, which is the picture of the convex hull of what is seen
+    std::vector<float> supportPx; ///< of the hull about the moments' centre
     Eigen::Matrix2d centreCovariancePx2 = Eigen::Matrix2d::Zero();
     Chroma meanChroma = Chroma::Zero();
     double clearShare = 1;      ///< of its pixels: that cannot be a shadow on the floor

@@ -49,6 +49,13 @@ bool lies(const SeenSilhouette &silhouette, const Observation &other)
     return other.found && at.x() >= box.x0 && at.x() < box.x1 && at.y() >= box.y0 && at.y() < box.y1;
 }
 
+/// Whether a mean colour is mostly one: parts without a colour only draw it toward grey.
+bool isMostly(const Chroma &mean, const Chroma &colour)
+{
+    constexpr double leastChroma = 6, leastCosine = 0.8;
+    return mean.norm() > leastChroma && mean.dot(colour) > leastCosine * mean.norm() * colour.norm();
+}
+
 } // namespace
 
 struct SilhouetteTracker::Impl
@@ -58,7 +65,7 @@ struct SilhouetteTracker::Impl
     std::vector<Observation> last;
     DuplicateDetector duplicates;
 
-    void assign(const Frame &frame, std::vector<SeenSilhouette> seen);
+    void assign(const Frame &frame, std::vector<SeenSilhouette> seen, std::span<const SilhouetteCue> cues);
     void accept(Followed &robot, const SeenSilhouette &silhouette, double timeS, Observation &observation);
 };
 
@@ -78,6 +85,7 @@ void SilhouetteTracker::Impl::accept(Followed &robot, const SeenSilhouette &silh
     observation.ellipse = ellipseOf(silhouette.moments.centrePx, silhouette.moments.covariancePx2);
     observation.centreCovariancePx2 = silhouette.centreCovariancePx2;
     observation.areaPx = areaPx;
+    observation.supportPx = silhouette.supportPx;
     observation.meanChroma = silhouette.meanChroma;
     if (silhouette.clearShare < leastFirstClear) { // the robot and its shadow look alike
         const double shift = shadowShift * robot.radiusPx();
@@ -92,13 +100,22 @@ void SilhouetteTracker::Impl::accept(Followed &robot, const SeenSilhouette &silh
     robot.area.follow(areaPx, silhouette.touchesBorder);
 }
 
-void SilhouetteTracker::Impl::assign(const Frame &frame, std::vector<SeenSilhouette> seen)
+void SilhouetteTracker::Impl::assign(const Frame &frame, std::vector<SeenSilhouette> seen, std::span<const SilhouetteCue> cues)
 {
     const double timeS = toSeconds(frame.time);
     const auto take = [&](std::size_t robot, std::size_t silhouette) {
         accept(robots[robot], seen[silhouette], timeS, last[robot]);
         seen.erase(seen.begin() + std::ptrdiff_t(silhouette));
     };
+    const auto cueOf = [cues](std::size_t robot) { return robot < cues.size() ? cues[robot] : SilhouetteCue(); };
+    for (std::size_t r = 0; r < robots.size(); ++r) {
+        const Observation *coloured = cueOf(r).coloured;
+        if (!coloured || !coloured->found)
+            continue;
+        const auto own = std::ranges::find_if(seen, [coloured](const SeenSilhouette &one) { return lies(one, *coloured); });
+        if (own != seen.end())
+            take(r, std::size_t(own - seen.begin()));
+    }
     while (true) { // the likeliest pair first
         double least = mostCost;
         std::size_t robot = 0, silhouette = 0;
@@ -123,6 +140,8 @@ void SilhouetteTracker::Impl::assign(const Frame &frame, std::vector<SeenSilhoue
         robots[r].missed = -1;
         const auto fits = [&](const SeenSilhouette &one) {
             const double ratio = robots[r].area.px() > 0 ? one.moments.areaPx2 / robots[r].area.px() : 1;
+            if (cueOf(r).coloured && !isMostly(one.meanChroma, cueOf(r).colour))
+                return false;
             return !one.touchesBorder && ratio < mostLostRatio && ratio > 1 / mostLostRatio;
         };
         if (const auto first = std::ranges::find_if(seen, fits); first != seen.end())
@@ -144,7 +163,7 @@ void SilhouetteTracker::setBackground(Background background)
         robot.missed = robot.isFollowing() ? mostMisses : robot.missed;
 }
 
-std::vector<Observation> SilhouetteTracker::track(const Frame &frame, std::span<const Observation> others)
+std::vector<Observation> SilhouetteTracker::track(const Frame &frame, std::span<const Observation> others, std::span<const SilhouetteCue> cues)
 {
     Impl &d = *m_impl;
     const bool repeats = d.duplicates.repeatsTheLast(frame);
@@ -155,7 +174,7 @@ std::vector<Observation> SilhouetteTracker::track(const Frame &frame, std::span<
             std::erase_if(seen, [&](const SeenSilhouette &one) {
                 return std::ranges::any_of(others, [&](const Observation &other) { return lies(one, other); });
             });
-            d.assign(frame, std::move(seen));
+            d.assign(frame, std::move(seen), cues);
         }
     }
     stamp(d.last, frame, repeats);

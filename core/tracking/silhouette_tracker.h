@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/tracking/background.h"
+#include "core/tracking/chroma.h"
 #include "core/tracking/observation.h"
 
 #include <memory>
@@ -9,6 +10,13 @@
 #include <vector>
 
 namespace odo {
+
+/// What tells which silhouette is a robot's own.
+struct SilhouetteCue
+{
+    const Observation *coloured = nullptr; ///< where its colour is seen in the frame; null: it is of any look
+    Chroma colour = Chroma::Zero();        ///< as told, by which it is found before that
+};
 
 /// Follows robots of any look through the frames of one view, by their silhouettes before a background that is known: the largest
 /// ones at first, and then those that are where the robots must be and of their size. Feed every frame in order. Not thread-safe; one tracker a view.
@@ -23,8 +31,9 @@ public:
     /// A newer background of the same place; the robots are followed on.
     void setBackground(Background background);
     /// One observation a robot. Of a frame that holds a part of its picture the rest is decoded. A frame that repeats the one before it gives the
-    /// same observations again, marked as such. others: where other robots are seen in this frame, whose silhouettes are left to them.
-    std::vector<Observation> track(const Frame &frame, std::span<const Observation> others = {});
+    /// same observations again, marked as such. others: where other robots are seen in this frame, whose silhouettes are left to them. cues: of each
+    /// robot; none at all: all are of any look.
+    std::vector<Observation> track(const Frame &frame, std::span<const Observation> others = {}, std::span<const SilhouetteCue> cues = {});
 
 private:
     struct Impl;

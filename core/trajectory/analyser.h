@@ -41,7 +41,6 @@ struct RobotShape
     std::optional<double> heightM;
     std::optional<double> lengthM, widthM;
     bool heightVaries = false; ///< on a ramp: triangulated in every frame; heightM is not looked at
-    bool anyLook = false;      ///< found by its silhouettes: outlines are those of the hull of all of it, so a solid that is no box may explain them
 };
 
 /// A person's word on one sample, over that of the analysis. The raw measurement is kept in either case.

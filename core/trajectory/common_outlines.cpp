@@ -24,7 +24,21 @@ bool isClear(const Observation &observation)
            observation.areaPx > 0 && std::isfinite(observation.areaPx);
 }
 
-std::optional<RegionMoments> outlineAt(const ViewTrack &view, Nanoseconds time)
+/// A blend of two outlines.
+CommonOutlines::Outline between(const FloorView *view, const Observation &before, const Observation &behind, double fraction)
+{
+    const RegionMoments a = outlineMoments(before), b = outlineMoments(behind);
+    CommonOutlines::Outline outline{view,
+                                    {(1 - fraction) * a.areaPx2 + fraction * b.areaPx2, (1 - fraction) * a.centrePx + fraction * b.centrePx,
+                                     (1 - fraction) * a.covariancePx2 + fraction * b.covariancePx2},
+                                    {}};
+    const std::vector<float> &from = before.supportPx, &to = behind.supportPx;
+    for (std::size_t k = 0; k < from.size() && from.size() == to.size(); ++k)
+        outline.supportPx.push_back(float((1 - fraction) * from[k] + fraction * to[k]));
+    return outline;
+}
+
+std::optional<CommonOutlines::Outline> outlineAt(const ViewTrack &view, Nanoseconds time)
 {
     const auto after = std::lower_bound(view.observations.begin(), view.observations.end(), time,
                                         [&view](const Observation &observation, Nanoseconds t) {
@@ -34,17 +48,14 @@ std::optional<RegionMoments> outlineAt(const ViewTrack &view, Nanoseconds time)
         return std::nullopt;
     const Nanoseconds behind = timeOf(view, *after);
     if (behind == time)
-        return outlineMoments(*after);
+        return CommonOutlines::Outline{&*view.floorView, outlineMoments(*after), after->supportPx};
     if (after == view.observations.begin() || !isClear(*(after - 1)))
         return std::nullopt;
     const Nanoseconds before = timeOf(view, *(after - 1));
     if (behind - before > longestStep)
         return std::nullopt;
     const double fraction = toSeconds(time - before) / toSeconds(behind - before);
-    const RegionMoments a = outlineMoments(*(after - 1)), b = outlineMoments(*after);
-    return RegionMoments{(1 - fraction) * a.areaPx2 + fraction * b.areaPx2,
-                         (1 - fraction) * a.centrePx + fraction * b.centrePx,
-                         (1 - fraction) * a.covariancePx2 + fraction * b.covariancePx2};
+    return between(&*view.floorView, *(after - 1), *after, fraction);
 }
 
 CommonOutlines outlinesAt(const std::vector<ViewTrack> &views, Nanoseconds time)
@@ -54,8 +65,8 @@ CommonOutlines outlinesAt(const std::vector<ViewTrack> &views, Nanoseconds time)
     for (const ViewTrack &view : views) {
         if (!view.floorView)
             continue;
-        if (const auto moments = outlineAt(view, time))
-            common.outlines.push_back({&*view.floorView, *moments});
+        if (auto outline = outlineAt(view, time))
+            common.outlines.push_back(std::move(*outline));
     }
     return common;
 }

@@ -16,6 +16,7 @@ struct CommonOutlines
     {
         const FloorView *view = nullptr; ///< owned by the tracks given
         RegionMoments moments;
+        std::vector<float> supportPx; ///< as of Observation
     };
     std::vector<Outline> outlines; ///< at least one
     Nanoseconds time{0};           ///< of the first view's clock

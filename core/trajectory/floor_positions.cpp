@@ -3,6 +3,7 @@
 
 #include "core/base/upper_median.h"
 #include "core/trajectory/repeated_pictures.h"
+#include "core/trajectory/support_placing.h"
 #include "core/trajectory/view_clock.h"
 
 #include <algorithm>
@@ -92,15 +93,19 @@ struct BodyPixel
 };
 
 std::optional<BodyPixel> bodyPixel(const FloorView &view, const SolidShape &shape,
-                                   const Eigen::Vector2d &centroid, const BodyAxis &axis)
+                                   const Observation &observation, const BodyAxis &axis, const OutlineBias &bias)
 {
+    const Eigen::Vector2d &centroid = observation.ellipse.centrePx;
     if (shape.form == SolidShape::Form::Cylinder || axis.sigmaRad <= unknownAxisSigmaRad) {
         const auto here = pixelOfBodyMiddle(view, shape, centroid, axis.angleRad);
         const auto turned = pixelOfBodyMiddle(view, shape, centroid, axis.angleRad + axis.sigmaRad);
         if (!here || !turned)
             return std::nullopt;
         const Eigen::Vector2d shift = *turned - *here;
-        return BodyPixel{*here, shift * shift.transpose()};
+        const auto start = view.floorFromPixel(*here, middleHeightM(shape));
+        const auto placed = start ? placeBySupport(view, shape, observation, bias, {*start, axis}) : std::nullopt;
+        const auto middle = placed ? view.pixelFromWorld({placed->x(), placed->y(), middleHeightM(shape)}) : std::nullopt;
+        return BodyPixel{middle.value_or(*here), shift * shift.transpose()};
     }
     BodyPixel mean;
     std::vector<Eigen::Vector2d> pixels;
@@ -147,7 +152,7 @@ BodySightings placeInView(const ViewTrack &view, const SolidShape &shape, const 
         const Observation &observation = view.observations[i];
         Sighting sighting = sightingOf(view, observation, repeated[i]);
         const auto pixel = canBePlaced(observation, sighting)
-                               ? bodyPixel(*view.floorView, shape, observation.ellipse.centrePx, axes[i])
+                               ? bodyPixel(*view.floorView, shape, observation, axes[i], doubt.bias)
                                : std::nullopt;
         if (pixel)
             layAt(sighting, *view.floorView, pixel->pixel,

@@ -27,15 +27,16 @@ struct Sighting
 /// goes into the calibration's part of the covariance.
 std::vector<Sighting> placeObservations(const ViewTrack &view, double planeM);
 
-/// What is not known of a solid: what it leaves of the outlines' centroids over parts of a run, and where the place is in it.
+/// What is known of a solid's outlines, and what is not known of it.
 struct SolidDoubt
 {
-    double unexplainedPx = 0;
-    double forwardM = 0, leftM = 0;
+    OutlineBias bias = {};                ///< of outlines that are measured by their support
+    double unexplainedPx = 0;             ///< what it leaves of the outlines' centroids over parts of a run
+    double forwardM = 0, leftM = 0;       ///< where the place is in it
 };
 
 /// Each view's observations, each laid where the solid must stand, turned as `axes` says at its time, that
-/// its silhouette has the centroid that was seen: positions of the footprint's centre. The axis's σ goes into
+/// its silhouette has the support (placeBySupport) or else the centroid that was seen: positions of the footprint's centre. The axis's σ goes into
 /// the pixels' part. An outline whose area is not that of the solid (but for the few per cent by which a view
 /// may see it larger or smaller throughout) shows a part of the robot, or more than the robot: its score
 /// becomes 0. Views that are not registered give nothing. The doubt about the solid goes into the calibration's part of the covariance, for

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/level_fit.h"
 
+#include "core/trajectory/level_reach.h"
 #include "core/trajectory/view_clock.h"
 
 #include <ceres/ceres.h>
@@ -16,8 +17,7 @@ namespace {
 
 constexpr std::size_t mostLevelTimes = 40, leastLevelTimes = 12;
 constexpr double timesThatDiffer = 8; // as independentTimes of a box: more ways are seen, for more of the form is asked for
-constexpr double centroidSigmaPx = 0.5;
-constexpr double beyondCamera = 1e3;
+constexpr double supportSigmaPx = 0.5;
 constexpr double likelyScale = 0.5;       // σ of a level's size against the box's, of the logarithm
 constexpr double likelyShift = 0.15;      // σ of a level's middle along the heading against the box's, in lengths of the box
 constexpr double likelyLean = 0.02;       // and across it: most robots are as wide to the left as to the right
@@ -28,62 +28,64 @@ using LevelPose = std::array<double, 3>; // x, y, heading
 
 /// Of each level the middle (forward, left) and the logarithms of half its length and width; then the logarithm of the top, the lower levels' heights as
 /// shares of those above them, and the roundness; and by how many pixels all outlines are drawn too wide, and too far down, as shadows at the foot do.
-constexpr int perLevel = 4, levelCount = 3;
-enum : int { TopLog = perLevel * levelCount, MiddleShare, LowerShare, Roundness, DrawnWider, DrawnLower, FormSize };
+constexpr std::size_t perLevel = 4, levelCount = 3;
+enum : std::size_t { TopLog = perLevel * levelCount, MiddleShare, LowerShare, Roundness, DrawnWider, DrawnLower, FormSize };
 using LevelForm = std::array<double, FormSize>;
+
+/// The levels of a form, of which the place is the middle of all.
+template <class T>
+LevelsOf<T> levelsOf(const T *form)
+{
+    using std::exp, std::max;
+    const T top = exp(form[TopLog]), middle = top * form[MiddleShare];
+    const std::array<T, levelCount> heights{middle * form[LowerShare], middle, top};
+    LevelsOf<T> levels;
+    for (std::size_t i = 0; i < levelCount; ++i) {
+        const T *level = form + perLevel * i;
+        const T halfLength = exp(level[2]), halfWidth = exp(level[3]);
+        levels[i] = {heights[i], level[0] + halfLength, halfLength - level[0], level[1] + halfWidth, halfWidth - level[1]};
+    }
+    const auto farthest = [&levels](T LevelOf<T>::*side) { return max(levels[0].*side, max(levels[1].*side, levels[2].*side)); };
+    const T ahead = (farthest(&LevelOf<T>::front) - farthest(&LevelOf<T>::back)) / 2.0;
+    const T aside = (farthest(&LevelOf<T>::left) - farthest(&LevelOf<T>::right)) / 2.0;
+    for (LevelOf<T> &level : levels)
+        level = {level.height, level.front - ahead, level.back + ahead, level.left - aside, level.right + aside};
+    return levels;
+}
 
 SolidShape shapeOfForm(const double *form)
 {
     SolidShape shape;
     shape.form = SolidShape::Form::Levels;
-    const double top = std::exp(form[TopLog]);
-    const double middle = top * std::clamp(form[MiddleShare], 0.0, 1.0);
-    const std::array<double, levelCount> heights{middle * std::clamp(form[LowerShare], 0.0, 1.0), middle, top};
-    double front = -HUGE_VAL, back = -HUGE_VAL, left = -HUGE_VAL, right = -HUGE_VAL;
-    for (int i = 0; i < levelCount; ++i) {
-        const double *level = form + perLevel * i;
-        const double halfLength = std::exp(level[2]), halfWidth = std::exp(level[3]);
-        shape.levels[std::size_t(i)] = {heights[std::size_t(i)], level[0] + halfLength, halfLength - level[0], level[1] + halfWidth, halfWidth - level[1]};
-        front = std::max(front, level[0] + halfLength);
-        back = std::max(back, halfLength - level[0]);
-        left = std::max(left, level[1] + halfWidth);
-        right = std::max(right, halfWidth - level[1]);
+    const auto levels = levelsOf(form);
+    for (std::size_t i = 0; i < levelCount; ++i) {
+        const LevelOf<double> &level = levels[i];
+        shape.levels[i] = {level.height, level.front, level.back, level.left, level.right};
+        shape.lengthM = std::max(shape.lengthM, 2 * std::max(level.front, level.back));
+        shape.widthM = std::max(shape.widthM, 2 * std::max(level.left, level.right));
     }
-    // The place is the middle of all of it.
-    for (SolidLevel &level : shape.levels) {
-        level.frontM -= (front - back) / 2;
-        level.backM += (front - back) / 2;
-        level.leftM -= (left - right) / 2;
-        level.rightM += (left - right) / 2;
-    }
-    shape.lengthM = front + back;
-    shape.widthM = left + right;
-    shape.baseM = heights.front();
-    shape.topM = top;
+    shape.baseM = levels.front().height;
+    shape.topM = levels.back().height;
     shape.roundShare = std::clamp(form[Roundness], 0.0, 1.0);
     return shape;
 }
 
-/// As of a box (shape_estimation): centroid, area and second moments.
+/// How far the outline of a solid reaches in each direction against how far it was seen to.
 struct LevelResidual
 {
     const CommonOutlines::Outline &outline;
 
-    bool operator()(const double *pose, const double *form, double *residual) const
+    template <class T>
+    bool operator()(const T *pose, const T *form, T *residual) const
     {
-        const auto model = silhouetteMoments(*outline.view, shapeOfForm(form), {pose[0], pose[1]}, pose[2]);
-        if (!model || model->areaPx2 < 1) {
-            std::fill_n(residual, 6, beyondCamera);
-            return true;
+        std::array<T, supportDirections> reach;
+        if (!reachOfLevels(*outline.view, levelsOf(form), form[Roundness], pose, reach))
+            return false;
+        for (std::size_t k = 0; k < supportDirections; ++k) {
+            const Eigen::Vector2d direction = supportDirection(k);
+            const double seen = double(outline.supportPx[k]) + direction.dot(outline.moments.centrePx);
+            residual[k] = limitedDifference(T((seen - form[DrawnWider] - form[DrawnLower] * direction.y() - reach[k]) / supportSigmaPx));
         }
-        RegionMoments seen = outline.moments;
-        const OutlineSigma sigma = sigmaOfOutline(seen);
-        const double wider = 1 + form[DrawnWider] / std::sqrt(seen.areaPx2 / std::numbers::pi);
-        seen.areaPx2 /= wider * wider;
-        seen.covariancePx2 /= wider * wider;
-        seen.centrePx.y() -= form[DrawnLower];
-        Eigen::Map<OutlineDifferences> differences(residual);
-        differences = outlineDifferences(seen, *model, sigma, centroidSigmaPx);
         return true;
     }
 };
@@ -96,20 +98,25 @@ struct LevelPrior
     RobotShape told;
     static constexpr int size = FormSize + 3;
 
-    bool operator()(const double *form, double *residual) const
+    template <class T>
+    bool operator()(const T *form, T *residual) const
     {
-        for (int i = 0; i < FormSize; ++i)
-            residual[i] = (form[i] - expected[std::size_t(i)]) / likelyScale;
-        for (int level = 0; level < levelCount; ++level) {
+        using std::max;
+        for (std::size_t i = 0; i < FormSize; ++i)
+            residual[i] = (form[i] - expected[i]) / likelyScale;
+        for (std::size_t level = 0; level < levelCount; ++level) {
             residual[perLevel * level] = form[perLevel * level] / (likelyShift * box.lengthM);
             residual[perLevel * level + 1] = form[perLevel * level + 1] / (likelyLean * box.lengthM);
         }
-        for (const int drawn : {int(DrawnWider), int(DrawnLower)})
+        for (const std::size_t drawn : {DrawnWider, DrawnLower})
             residual[drawn] = form[drawn] / likelyDrawnPx;
-        const SolidShape shape = shapeOfForm(form);
-        residual[FormSize] = told.lengthM ? (shape.lengthM - *told.lengthM) / toldSigmaM : 0;
-        residual[FormSize + 1] = told.widthM ? (shape.widthM - *told.widthM) / toldSigmaM : 0;
-        residual[FormSize + 2] = told.heightM ? (shape.topM - *told.heightM) / toldSigmaM : 0;
+        const auto levels = levelsOf(form);
+        const auto off = [&levels](const std::optional<double> &known, T LevelOf<T>::*side) {
+            return known ? T((2.0 * max(levels[0].*side, max(levels[1].*side, levels[2].*side)) - *known) / toldSigmaM) : T(0);
+        };
+        residual[FormSize] = off(told.lengthM, &LevelOf<T>::front);
+        residual[FormSize + 1] = off(told.widthM, &LevelOf<T>::left);
+        residual[FormSize + 2] = told.heightM ? T((levels.back().height - *told.heightM) / toldSigmaM) : T(0);
         return true;
     }
 };
@@ -182,14 +189,15 @@ private:
 LevelProblem::LevelProblem(const std::vector<CommonOutlines> &times, const std::vector<ViewTrack> &views,
                            const std::vector<std::vector<BodyAxis>> &axes, const SolidShape &box)
 {
-    for (const CommonOutlines &common : times) {
+    for (CommonOutlines common : times) {
+        std::erase_if(common.outlines, [](const CommonOutlines::Outline &outline) { return outline.supportPx.size() != supportDirections; });
         const auto direction = directionAt(views, axes, common.time);
-        const CommonOutlines::Outline &first = common.outlines.front();
-        const auto place = first.view->floorFromPixel(first.moments.centrePx, middleHeightM(box));
+        const auto place = common.outlines.empty() ? std::nullopt
+                                                   : common.outlines.front().view->floorFromPixel(common.outlines.front().moments.centrePx, middleHeightM(box));
         if (!direction || !place)
             continue;
         m_poses.push_back({place->x(), place->y(), *direction});
-        m_times.push_back(common);
+        m_times.push_back(std::move(common));
     }
 }
 
@@ -197,12 +205,12 @@ void LevelProblem::addResiduals(const LevelPrior &prior)
 {
     for (std::size_t t = 0; t < m_times.size(); ++t) {
         for (const CommonOutlines::Outline &outline : m_times[t].outlines) {
-            auto *cost = new ceres::NumericDiffCostFunction<LevelResidual, ceres::CENTRAL, 6, 3, FormSize>(new LevelResidual{outline});
-            auto *loss = new ceres::ScaledLoss(new ceres::CauchyLoss(5), share(), ceres::TAKE_OWNERSHIP);
+            auto *cost = new ceres::AutoDiffCostFunction<LevelResidual, supportDirections, 3, FormSize>(new LevelResidual{outline});
+            auto *loss = new ceres::ScaledLoss(nullptr, share(), ceres::TAKE_OWNERSHIP);
             m_blocks.push_back(m_problem.AddResidualBlock(cost, loss, m_poses[t].data(), m_form.data()));
         }
     }
-    auto *cost = new ceres::NumericDiffCostFunction<LevelPrior, ceres::CENTRAL, LevelPrior::size, FormSize>(new LevelPrior(prior));
+    auto *cost = new ceres::AutoDiffCostFunction<LevelPrior, LevelPrior::size, FormSize>(new LevelPrior(prior));
     m_problem.AddResidualBlock(cost, nullptr, m_form.data());
     for (const int bounded : {int(MiddleShare), int(LowerShare), int(Roundness)}) {
         m_problem.SetParameterLowerBound(m_form.data(), bounded, 0);
@@ -228,20 +236,22 @@ bool LevelProblem::solve(const SolidShape &box, const RobotShape &told, const Le
 
 void LevelProblem::findMisfit(LevelFit &fit)
 {
-    constexpr double mostOff = 50; // squared, of one outline: it shows something else
     double cost = 0;
     std::vector<double> residuals;
     ceres::Problem::EvaluateOptions evaluated;
     evaluated.residual_blocks = m_blocks;
-    m_problem.Evaluate(evaluated, &cost, nullptr, nullptr, nullptr);
-    const double freedom = 6.0 * double(m_blocks.size()) - 3.0 * double(m_times.size()) - double(FormSize);
-    fit.misfit = std::sqrt(2 * cost / share() / std::max(1.0, freedom));
     evaluated.apply_loss_function = false;
     m_problem.Evaluate(evaluated, &cost, &residuals, nullptr, nullptr);
+    const double freedom = double(residuals.size()) - 3.0 * double(m_times.size()) - double(FormSize);
+    fit.misfit = std::sqrt(2 * cost / std::max(1.0, freedom));
     double squares = 0;
-    for (std::size_t i = 0; i < residuals.size(); i += 6)
-        squares += std::min(residuals[i] * residuals[i] + residuals[i + 1] * residuals[i + 1], mostOff);
-    fit.lastingPx = centroidSigmaPx * std::sqrt(squares / (2.0 * double(m_blocks.size())));
+    for (std::size_t i = 0; i < residuals.size(); i += supportDirections) {
+        Eigen::Vector2d shift = Eigen::Vector2d::Zero();
+        for (std::size_t k = 0; k < supportDirections; ++k)
+            shift += 2 * supportSigmaPx * residuals[i + k] * supportDirection(k) / double(supportDirections);
+        squares += shift.squaredNorm();
+    }
+    fit.lastingPx = std::sqrt(squares / (2.0 * double(m_blocks.size())));
 }
 
 bool LevelProblem::findDoubt(LevelFit &fit)
@@ -290,6 +300,7 @@ std::optional<LevelFit> LevelProblem::result()
 {
     LevelFit fit;
     fit.shape = shapeOfForm(m_form.data());
+    fit.bias = {m_form[DrawnWider], m_form[DrawnLower]};
     for (std::size_t t = 0; t < m_times.size(); ++t)
         fit.poses.push_back({m_times[t].time, {m_poses[t][0], m_poses[t][1]}, m_poses[t][2]});
     findMisfit(fit);

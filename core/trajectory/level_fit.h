@@ -28,8 +28,9 @@ struct LevelStart
 
 struct LevelFit
 {
-    SolidShape shape; ///< Form::Levels
-    double misfit = 0;      ///< as of ShapeEstimate
+    SolidShape shape;       ///< Form::Levels
+    OutlineBias bias;
+    double misfit = 0;      ///< RMS of what it leaves of the supports, over their σ of half a pixel
     double sigmaTopM = 0;
     double sigmaForwardM = 0, sigmaLeftM = 0; ///< of the place along and across the heading, as far as all times share it
     double lastingPx = 0;   ///< RMS of what the solid leaves of the outlines' centroids
@@ -40,8 +41,7 @@ struct LevelFit
 std::vector<CommonOutlines> levelTimes(const std::vector<ViewTrack> &views);
 
 /// The convex solid of three levels whose silhouettes a robot's outlines are, where a box is not enough: clearance, a chassis, wheels, a narrower upper
-/// part, round corners. Fitted together with a pose for each of some forty times by weighted least squares of the outlines' centroids, areas and second
-/// moments over all views (Ceres, Cauchy's loss), from the box that is known and the directions that the body then had. The convex hull of a silhouette is
+/// part, round corners. Fitted together with a pose for each of some forty times by weighted least squares of the outlines' supports over all views (Ceres, Cauchy's loss), from the box that is known and the directions that the body then had. The convex hull of a silhouette is
 /// the silhouette of the body's convex hull, so only outlines that are hulls tell the body of a robot with wheels and gaps. What was told of its height and
 /// size is kept. axes: directed (directedAxes). nullopt: too few outlines, or nothing better was found. Pure.
 /// times: levelTimes(views), which several fits share.

@@ -14,12 +14,12 @@ namespace odo {
 namespace {
 
 constexpr double simpleEnough = 1.5; // misfit of a box that needs no other solid
-constexpr double clearlyLess = 0.9; // of a box's misfit
+constexpr double worstLevelMisfit = 3; // beyond it the outlines are not those of one solid
 constexpr double taper = 0.1, topShift = 0.15; // of guesses whose upper part sits to the front or to the rear
 
 // What the same errors of all outlines (shadows at the foot, sides that look like the floor) leave of the place in a solid that is fitted to them, as a share of
 // its length: known robots come back so (tests/workflow/tst_any_look). Across the heading most robots are alike on both sides.
-constexpr double placeAlong = 0.025, placeAcross = 0.005;
+constexpr double placeAlong = 0.0125, placeAcross = 0.005;
 
 using Axes = std::vector<std::vector<BodyAxis>>;
 
@@ -70,7 +70,7 @@ Consensus consensusOf(const LevelFit &best, const std::vector<StartedFit> &all)
     consensus.shift = sum / weights;
     const Eigen::Vector2d variance = squares / weights - consensus.shift.cwiseAbs2();
     const auto sigma = [](double ofFit, double amongFits, double leastM) { return std::sqrt(ofFit * ofFit + std::max(0.0, amongFits) + leastM * leastM); };
-    consensus.doubt = {best.lastingPx, sigma(best.sigmaForwardM, variance.x(), placeAlong * best.shape.lengthM),
+    consensus.doubt = {best.bias, best.lastingPx, sigma(best.sigmaForwardM, variance.x(), placeAlong * best.shape.lengthM),
                        sigma(best.sigmaLeftM, variance.y(), placeAcross * best.shape.lengthM)};
     return consensus;
 }
@@ -87,39 +87,74 @@ SolidShape movedPlace(SolidShape shape, const Eigen::Vector2d &shift)
     return shape;
 }
 
+bool haveSupport(const std::vector<ViewTrack> &views)
+{
+    return std::ranges::any_of(views, [](const ViewTrack &view) {
+        return std::ranges::any_of(view.observations, [](const Observation &observation) { return !observation.supportPx.empty(); });
+    });
+}
+
+/// A box where each view saw it, with its axes.
+struct PlacedSolid
+{
+    FoundSolid solid;
+    Axes axes;
+};
+
+PlacedSolid placedSolid(const std::vector<ViewTrack> &views, const ShapeEstimate &estimate)
+{
+    Axes axes = trackAxis(views, estimate.shape);
+    return {{estimate.shape, estimate.sigmaTopM, placeBody(views, estimate.shape, axes)}, std::move(axes)};
+}
+
 /// What a box leaves unexplained, a solid of several levels may explain.
-bool takeSolidOfLevels(const std::vector<ViewTrack> &views, const RobotShape &told, const Axes &axes, double boxMisfit, FoundSolid &solid)
+std::optional<FoundSolid> findSolidOfLevels(const std::vector<ViewTrack> &views, const RobotShape &told, const PlacedSolid &box)
 {
     // A body that is nearly square does not tell its axis, but mostly moves along it.
-    const Axes directed = directedAxes(views, solid.seen, axes), moved = directionsOfMotion(views, solid.seen, axes);
-    const std::pair<const Axes *, LevelStart> starts[] = {{&directed, {}}, {&moved, {}}, {&moved, {taper, topShift}}, {&moved, {taper, -topShift}}};
+    const Axes directed = directedAxes(views, box.solid.seen, box.axes), moved = directionsOfMotion(views, box.solid.seen, box.axes);
+    const std::pair<const Axes *, LevelStart> starts[] = {{&directed, {taper, 0}}, {&moved, {taper, topShift}}, {&moved, {taper, -topShift}}};
     const std::vector<CommonOutlines> times = levelTimes(views);
     std::vector<StartedFit> fits;
     for (const auto &[directions, start] : starts) {
-        if (auto fit = fitLevels(times, views, *directions, solid.shape, told, start))
+        if (auto fit = fitLevels(times, views, *directions, box.solid.shape, told, start))
             fits.push_back({std::move(*fit), directions});
     }
     const auto best = std::ranges::min_element(fits, {}, [](const StartedFit &one) { return one.fit.misfit; });
-    if (best == fits.end() || best->fit.misfit > std::min(worstShapeMisfit, clearlyLess * boxMisfit))
-        return false;
+    if (best == fits.end() || best->fit.misfit > worstLevelMisfit)
+        return std::nullopt;
     const Consensus consensus = consensusOf(best->fit, fits);
-    solid.shape = movedPlace(best->fit.shape, consensus.shift);
-    solid.sigmaTopM = best->fit.sigmaTopM;
+    FoundSolid solid{movedPlace(best->fit.shape, consensus.shift), best->fit.sigmaTopM, {}};
     solid.seen = placeBody(views, solid.shape, refineDirections(views, solid.shape, *best->directions), consensus.doubt);
-    return true;
+    return solid;
 }
 
 } // namespace
 
+double explainedShare(const std::vector<ViewTrack> &views, const RobotShape &told)
+{
+    const auto solid = findSolid(views, told);
+    double all = 0, explained = 0;
+    for (std::size_t v = 0; solid && v < solid->seen.size(); ++v) {
+        for (const Sighting &sighting : solid->seen[v]) {
+            all += sighting.seen && !sighting.cut;
+            explained += sighting.seen && !sighting.cut && sighting.score > 0;
+        }
+    }
+    return all > 0 ? explained / all : 0;
+}
+
 std::optional<FoundSolid> findSolid(const std::vector<ViewTrack> &views, const RobotShape &told)
 {
     const auto box = estimateShape(views, told);
-    if (!box)
+    if (haveSupport(views) && (!box || box->misfit > simpleEnough)) {
+        // A box that is only where the search begins need not have the size of the robot's whole outline.
+        const auto guess = estimateShape(views, {});
+        if (auto levels = guess ? findSolidOfLevels(views, told, placedSolid(views, *guess)) : std::nullopt)
+            return levels;
+    }
+    if (!box || box->misfit > worstShapeMisfit)
         return std::nullopt;
-    const Axes axes = trackAxis(views, box->shape);
-    FoundSolid solid{box->shape, box->sigmaTopM, placeBody(views, box->shape, axes)};
-    const bool hasLevels = told.anyLook && box->misfit > simpleEnough && takeSolidOfLevels(views, told, axes, box->misfit, solid);
-    return hasLevels || box->misfit <= worstShapeMisfit ? std::optional(std::move(solid)) : std::nullopt;
+    return placedSolid(views, *box).solid;
 }
 
 } // namespace odo

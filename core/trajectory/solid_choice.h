@@ -18,9 +18,12 @@ struct FoundSolid
     std::vector<std::vector<Sighting>> seen; ///< of each observation of each view
 };
 
-/// The simplest solid that explains the outlines of all views: a box or a cylinder (estimateShape), or, of a robot of any look, one of several levels (fitLevels) where
-/// that explains them clearly better. Fits of several levels that begin elsewhere may end in other solids that explain the outlines nearly as well: by how much they put the robot
+/// The simplest solid that explains the outlines of all views: a box or a cylinder (estimateShape), or, where outlines were measured by their support, one of several levels
+/// (fitLevels) where that explains them clearly better. Fits of several levels that begin elsewhere may end in other solids that explain the outlines nearly as well: by how much they put the robot
 /// elsewhere goes into the doubt about its place. nullopt: none explains them. Pure.
 std::optional<FoundSolid> findSolid(const std::vector<ViewTrack> &views, const RobotShape &told);
+
+/// The share of the outlines, but for those that the picture's edge cuts, that are the solid's; 0 where no solid was found.
+double explainedShare(const std::vector<ViewTrack> &views, const RobotShape &told);
 
 } // namespace odo

@@ -6,6 +6,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/tracking/robot_tracker.h"
+#include "core/trajectory/solid_choice.h"
 #include "core/video/frame_stream.h"
 #include "core/workflow/view_background.h"
 
@@ -24,7 +25,11 @@ constexpr std::size_t framesAhead = 8;
 class SharedProgress
 {
 public:
-    SharedProgress(const JobControl &control, std::int64_t total) : m_control(control), m_total(std::max<std::int64_t>(total, 1)) {}
+    /// from, to: the part of the job that its pictures are.
+    SharedProgress(const JobControl &control, std::int64_t total, double from, double to)
+        : m_control(control), m_total(std::max<std::int64_t>(total, 1)), m_from(from), m_to(to)
+    {
+    }
 
     void countPicture()
     {
@@ -32,13 +37,14 @@ public:
         if (done % 20 != 0)
             return;
         const std::lock_guard lock(m_mutex); // the caller's function need not be thread-safe
-        m_control.report(0.95 * double(done) / double(m_total),
+        m_control.report(m_from + (m_to - m_from) * double(done) / double(m_total),
                          "tracking, picture " + std::to_string(done) + " of " + std::to_string(m_total));
     }
 
 private:
     const JobControl &m_control;
     const std::int64_t m_total;
+    const double m_from, m_to;
     std::atomic<std::int64_t> m_done{0};
     std::mutex m_mutex;
 };
@@ -52,12 +58,11 @@ std::vector<TrackTarget> targetsOf(const std::vector<RobotRecord> &robots)
 }
 
 /// None without a robot.
-Result<std::unique_ptr<RobotTracker>> trackerFor(const RegisteredView &view, const std::vector<RobotRecord> &robots, const JobControl &control,
+Result<std::unique_ptr<RobotTracker>> trackerFor(const RegisteredView &view, const std::vector<TrackTarget> &targets, const JobControl &control,
                                                  SharedProgress &progress)
 {
-    if (robots.empty())
+    if (targets.empty())
         return nullptr;
-    const std::vector<TrackTarget> targets = targetsOf(robots);
     std::optional<Background> background;
     if (needsBackground(targets)) {
         auto learned = learnBackground(view, control.cancel, [&progress] { progress.countPicture(); });
@@ -68,10 +73,10 @@ Result<std::unique_ptr<RobotTracker>> trackerFor(const RegisteredView &view, con
     return RobotTracker::create(targets, std::move(background));
 }
 
-Result<TrackedView> trackView(const RegisteredView &view, const std::vector<RobotRecord> &robots,
+Result<TrackedView> trackView(const RegisteredView &view, const std::vector<RobotRecord> &robots, const std::vector<TrackTarget> &targets,
                               const JobControl &control, SharedProgress &progress, WithLight light)
 {
-    const auto tracker = trackerFor(view, robots, control, progress);
+    const auto tracker = trackerFor(view, targets, control, progress);
     if (!tracker)
         return tl::unexpected(tracker.error());
     auto reader = VideoReader::open(view.file, control.cancel);
@@ -84,8 +89,8 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
 
     TrackedView tracked;
     LightMeter lightMeter;
-    for (const RobotRecord &robot : robots)
-        tracked.series.push_back({view.recording.id, robot.id, isFoundByColour({robot.name, robot.colour}) ? colourVersion : silhouetteVersion, {}});
+    for (std::size_t r = 0; r < robots.size(); ++r)
+        tracked.series.push_back({view.recording.id, robots[r].id, needsBackground({targets[r]}) ? silhouetteVersion : colourVersion, {}});
     const std::vector<Nanoseconds> &times = view.recording.frameTimes;
     for (ObservationSeries &series : tracked.series)
         series.observations.reserve(times.size());
@@ -119,27 +124,82 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
     return tracked;
 }
 
-} // namespace
+/// The part of a job in which everything is tracked, and that in which it is done once more where that is needed.
+struct JobPart
+{
+    double from = 0, to = 0;
+};
+constexpr JobPart firstPass{0, 0.6}, secondPass{0.6, 0.95};
 
-Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &views,
-                                            const std::vector<RobotRecord> &robots, const JobControl &control,
-                                            WithLight light)
+Result<std::vector<TrackedView>> trackTargets(const std::vector<RegisteredView> &views, const std::vector<RobotRecord> &robots,
+                                              const std::vector<TrackTarget> &targets, const JobControl &control, const JobPart &part, WithLight light)
 {
     std::int64_t total = 0;
     for (const RegisteredView &view : views)
         total += static_cast<std::int64_t>(view.recording.frameTimes.size());
-    if (needsBackground(targetsOf(robots))) // for which everything is read twice
+    if (needsBackground(targets)) // for which everything is read twice
         total *= 2;
-    SharedProgress progress(control, total);
+    SharedProgress progress(control, total, part.from, part.to);
 
     std::vector<Result<TrackedView>> results(views.size(), TrackedView{});
-    sideBySide(views.size(), [&](std::size_t v) { results[v] = trackView(views[v], robots, control, progress, light); });
+    sideBySide(views.size(), [&](std::size_t v) { results[v] = trackView(views[v], robots, targets, control, progress, light); });
 
     std::vector<TrackedView> tracked;
     for (auto &result : results) {
         if (!result)
             return tl::unexpected(result.error());
         tracked.push_back(std::move(*result));
+    }
+    return tracked;
+}
+
+double explainedShareOf(const std::vector<RegisteredView> &views, std::vector<TrackedView> &tracked, const RobotRecord &robot, std::size_t number)
+{
+    std::vector<ViewTrack> tracks = takeViewTracks(views, tracked, number);
+    const double share = explainedShare(tracks, shapeOf(robot));
+    returnObservations(std::move(tracks), tracked, number);
+    return share;
+}
+
+bool isEverSeen(const std::vector<RegisteredView> &views, const std::vector<TrackedView> &tracked, std::size_t robot)
+{
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        const auto &observations = tracked[v].series[robot].observations;
+        if (views[v].floorView && std::ranges::any_of(observations, &Observation::found))
+            return true;
+    }
+    return false;
+}
+
+} // namespace
+
+Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &views,
+                                            const std::vector<RobotRecord> &robots, const JobControl &control,
+                                            WithLight light)
+{
+    constexpr double mostlyExplained = 0.95, clearlyMore = 0.03;
+    std::vector<TrackTarget> targets = targetsOf(robots);
+    auto tracked = trackTargets(views, robots, targets, control, firstPass, light);
+    std::vector<std::pair<std::size_t, double>> partly; // robots, and how much is explained of them
+    for (std::size_t r = 0; tracked && r < robots.size(); ++r) {
+        if (!isFoundByColour(targets[r]) || robots[r].heightMode == RobotRecord::Height::Free || !isEverSeen(views, *tracked, r))
+            continue;
+        const double share = explainedShareOf(views, *tracked, robots[r], r);
+        if (share >= mostlyExplained)
+            continue;
+        targets[r].wholeOutline = true;
+        partly.emplace_back(r, share);
+    }
+    if (partly.empty())
+        return tracked;
+    auto whole = trackTargets(views, robots, targets, control, secondPass, WithLight::Ignored);
+    if (!whole)
+        return whole;
+    for (const auto &[r, share] : partly) {
+        if (explainedShareOf(views, *whole, robots[r], r) < share + clearlyMore)
+            continue;
+        for (std::size_t v = 0; v < views.size(); ++v)
+            (*tracked)[v].series[r] = std::move((*whole)[v].series[r]);
     }
     return tracked;
 }
@@ -167,7 +227,6 @@ RobotShape shapeOf(const RobotRecord &robot)
     if (robot.heightMode == RobotRecord::Height::Told)
         shape.heightM = robot.heightM;
     shape.heightVaries = robot.heightMode == RobotRecord::Height::Free;
-    shape.anyLook = !isFoundByColour({robot.name, robot.colour});
     shape.lengthM = robot.lengthM;
     shape.widthM = robot.widthM;
     return shape;

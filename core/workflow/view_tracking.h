@@ -26,7 +26,8 @@ enum class WithLight { Ignored, Measured };
 
 /// Decodes and tracks all views at once, a thread to track and a thread to decode for each; MJPEG is decoded by the
 /// thread that tracks, which alone knows what part of the next picture it needs. Without a robot only the light is
-/// measured. Touches no project.
+/// measured. A robot whose coloured outlines no box, cylinder or plate explains (it has wheels, parts of other colours, openings) is tracked once more by its
+/// whole silhouette, told from others by its colour, and so measured where that explains more. Touches no project.
 /// Errors: a recording that is missing or is no video; cancelled.
 Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &views,
                                             const std::vector<RobotRecord> &robots, const JobControl &control,

@@ -87,7 +87,7 @@ inline bool sameObservation(const Observation &a, const Observation &b)
            same(a.ellipse.semiMinorPx, b.ellipse.semiMinorPx) &&
            same(a.ellipse.angleRad, b.ellipse.angleRad) &&
            sameMatrix(a.centreCovariancePx2, b.centreCovariancePx2) && same(a.areaPx, b.areaPx) &&
-           same(a.score, b.score);
+           same(a.score, b.score) && a.supportPx == b.supportPx;
 }
 
 inline bool sameSample(const Sample &a, const Sample &b)

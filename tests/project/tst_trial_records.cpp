@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/support.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "sample_records.h"
@@ -170,13 +171,23 @@ private Q_SLOTS:
         QCOMPARE((*m_project)->trials().setNotes(999, "").error().code, ErrorCode::NotFound);
     }
 
+    void observationsRoundTripAndTheNewestSeriesIsCurrent_data()
+    {
+        QTest::addColumn<bool>("haveSupport");
+        QTest::newRow("ellipses") << false;
+        QTest::newRow("with the support of whole silhouettes") << true;
+    }
     void observationsRoundTripAndTheNewestSeriesIsCurrent()
     {
+        QFETCH(bool, haveSupport);
         const auto filled = fill(**m_project, m_source);
         QVERIFY2(filled.has_value(), filled ? "" : filled.error().message().c_str());
         ObservationSeries wanted{filled->recordings[0], filled->robot, "colour 2", {}};
         for (int i = 0; i < 20000; ++i) // more than two chunks
             wanted.observations.push_back(m_source.observation(i));
+        for (Observation &observation : wanted.observations)
+            for (std::size_t k = 0; k < supportDirections && haveSupport && observation.found; ++k)
+                observation.supportPx.push_back(float(observation.frame) + 0.25F * float(k));
         QVERIFY((*m_project)->trials().addObservations(wanted).has_value());
         m_project->reopen();
         const auto read = (*m_project)->trials().currentObservations(wanted.recording, wanted.robot);

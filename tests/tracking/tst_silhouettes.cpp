@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/tracking/textured_floor.h"
 
+#include "core/geometry/support.h"
 #include "core/tracking/robot_tracker.h"
 #include "core/tracking/silhouette_finder.h"
 
@@ -74,6 +75,11 @@ private Q_SLOTS:
             worstPx = std::max(worstPx, (moments.centrePx - ((low + high) / 2 + shift)).norm());
             mostArea = std::max(mostArea, std::abs(moments.areaPx2 / (48 * 36) - 1));
             QVERIFY(!seen.front().touchesBorder);
+            // Along the picture's axes the hull reaches to the rectangle's sides, or a little beyond: to the farthest of some fifty points with noise.
+            const std::vector<float> &support = seen.front().supportPx;
+            QCOMPARE(support.size(), supportDirections);
+            for (const auto &[direction, half] : {std::pair{0, 24.0}, std::pair{6, 18.0}, std::pair{12, 24.0}, std::pair{18, 18.0}})
+                QVERIFY2(std::abs(support[std::size_t(direction)] - half) < (hasShadow ? 1.5 : 0.9), qPrintable(QString::number(support[std::size_t(direction)])));
         }
         // A fifth of a pixel of 48; a shadow's edge is told from the robot's to half a pixel.
         QVERIFY2(worstPx < (hasShadow ? 0.6 : 0.25), qPrintable(QString::number(worstPx)));
@@ -136,6 +142,26 @@ private Q_SLOTS:
         }
         QVERIFY2(wrong < 4, qPrintable(QString::number(wrong))); // a coloured one is searched for a frame or two
         QVERIFY(!(*tracker)->neededRegion(Nanoseconds(0)));      // all of the picture is looked at
+    }
+
+    void theColourTellsWhichSilhouetteIsTheRobots()
+    {
+        const Painter floor = texturedFloor(format);
+        const auto tracker = RobotTracker::create({{"Red 1", RgbColour{200, 40, 40}, true}}, learned(floor));
+        QVERIFY(tracker.has_value());
+        std::mt19937 random(9);
+        int wrong = 0;
+        for (std::int64_t i = 0; i < 40; ++i) {
+            Painter picture = floor;
+            const double x = 40 + 5.0 * double(i);
+            picture.rectangle({300 - x, 40}, {400 - x, 110}, {30, 30, 30}); // larger, and moves too
+            picture.rectangle({x, 200}, {x + 44, 230}, {200, 40, 40});
+            picture.rectangle({x - 10, 204}, {x, 226}, {25, 25, 25}); // a black part of the same robot
+            const Observation seen = (*tracker)->track(picture.frame(i, double(i) / 30, 2, random)).front();
+            wrong += !seen.found || (seen.ellipse.centrePx - Eigen::Vector2d(x + 17.3, 215)).norm() > 1.5 || seen.supportPx.empty();
+        }
+        QVERIFY2(wrong == 0, qPrintable(QString::number(wrong)));
+        QVERIFY(needsBackground({{"Red 1", RgbColour{200, 40, 40}, true}}) && !needsBackground({{"Red 1", RgbColour{200, 40, 40}}}));
     }
 
     void withoutABackgroundNothingIsFound()

@@ -42,4 +42,18 @@ inline ViewTrack filmSolid(const std::string &name, const FloorView &view, const
     return track;
 }
 
+/// The same with the support of each outline, as it is measured of a silhouette.
+inline ViewTrack filmSilhouette(const std::string &name, const FloorView &view, const SolidShape &shape, const Course &course, double noisePx, std::mt19937 &random)
+{
+    ViewTrack track = filmSolid(name, view, shape, course, noisePx, random);
+    std::normal_distribution<double> noise(0, noisePx);
+    for (Observation &observation : track.observations) {
+        const Truth truth = course(toSeconds(observation.time));
+        observation.supportPx = *silhouetteSupport(view, shape, truth.position, headingOf(truth), observation.ellipse.centrePx);
+        for (float &reach : observation.supportPx)
+            reach += float(noise(random));
+    }
+    return track;
+}
+
 } // namespace odo::test

@@ -13,7 +13,7 @@ using namespace odo::test;
 
 namespace {
 
-const RobotShape anyLook{.anyLook = true};
+const RobotShape untold;
 
 const Course eight = figureEight(0.9, 0.6, 7);
 
@@ -66,8 +66,8 @@ private Q_SLOTS:
     {
         QFETCH(int, seed);
         std::mt19937 random{std::uint32_t(seed)};
-        const std::vector<ViewTrack> views{filmSolid("A", cameraA(), buggy(), eight, 0.2, random), filmSolid("B", cameraB(), buggy(), eight, 0.2, random)};
-        const auto solid = findSolid(views, anyLook);
+        const std::vector<ViewTrack> views{filmSilhouette("A", cameraA(), buggy(), eight, 0.2, random), filmSilhouette("B", cameraB(), buggy(), eight, 0.2, random)};
+        const auto solid = findSolid(views, untold);
         QVERIFY(solid.has_value());
         QCOMPARE(int(solid->shape.form), int(SolidShape::Form::Levels));
         // A tenth of the sizes: the levels that lie inside the hull of the others show nothing of themselves.
@@ -85,7 +85,7 @@ private Q_SLOTS:
     {
         std::mt19937 random(1);
         const std::vector<ViewTrack> views{filmSolid("A", cameraA(), buggy(), eight, 0.2, random), filmSolid("B", cameraB(), buggy(), eight, 0.2, random)};
-        const auto solid = findSolid(views, {});
+        const auto solid = findSolid(views, untold);
         QVERIFY(!solid || solid->shape.form != SolidShape::Form::Levels);
     }
 
@@ -93,8 +93,8 @@ private Q_SLOTS:
     {
         const SolidShape box{SolidShape::Form::Box, 0.26, 0.19, 0, 0.06};
         std::mt19937 random(4);
-        const std::vector<ViewTrack> views{filmSolid("A", cameraA(), box, eight, 0.05, random), filmSolid("B", cameraB(), box, eight, 0.05, random)};
-        const auto solid = findSolid(views, anyLook);
+        const std::vector<ViewTrack> views{filmSilhouette("A", cameraA(), box, eight, 0.05, random), filmSilhouette("B", cameraB(), box, eight, 0.05, random)};
+        const auto solid = findSolid(views, untold);
         QVERIFY(solid && solid->shape.form == SolidShape::Form::Box);
         QVERIFY(errorsOf(solid->seen.front()).rmsM < 0.002);
     }
@@ -106,7 +106,7 @@ private Q_SLOTS:
         ViewTrack track = filmSolid("A", cameraA(), box, eight, 0.05, random);
         for (std::size_t i = 0; i < track.observations.size(); ++i)
             track.observations[i].ellipse.semiMajorPx *= i % 2 == 0 ? 1.6 : 0.8;
-        QVERIFY(!findSolid({track}, anyLook));
+        QVERIFY(!findSolid({track}, untold));
     }
 
     void theFrontIsWhereItMovesTo()

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/support_placing.h"
+
+#include "core/trajectory/level_reach.h"
+
+#include <ceres/tiny_solver.h>
+#include <ceres/tiny_solver_autodiff_function.h>
+
+#include <algorithm>
+
+namespace odo {
+
+namespace {
+
+constexpr double supportSigmaPx = 0.5;
+constexpr double leastAxisSigmaRad = 0.01;
+
+/// Any solid as one of levels.
+SolidShape asLevels(SolidShape shape)
+{
+    if (shape.form == SolidShape::Form::Levels)
+        return shape;
+    for (std::size_t i = 0; i < shape.levels.size(); ++i) {
+        const double share = double(i) / double(shape.levels.size() - 1);
+        shape.levels[i] = {(1 - share) * shape.baseM + share * shape.topM, shape.lengthM / 2, shape.lengthM / 2, shape.widthM / 2, shape.widthM / 2};
+    }
+    shape.roundShare = shape.form == SolidShape::Form::Cylinder ? 1 : 0;
+    return shape;
+}
+
+/// Of x, y and heading: the support against that seen, and the heading against the axis.
+struct SupportDifference
+{
+    const FloorView &view;
+    const SolidShape &shape;
+    const Observation &observation;
+    const OutlineBias &bias;
+    const BodyAxis &axis;
+
+    template <class T>
+    bool operator()(const T *pose, T *residual) const
+    {
+        LevelsOf<T> levels;
+        for (std::size_t i = 0; i < levels.size(); ++i) {
+            const SolidLevel &level = shape.levels[i];
+            levels[i] = {T(level.heightM), T(level.frontM), T(level.backM), T(level.leftM), T(level.rightM)};
+        }
+        std::array<T, supportDirections> reach;
+        if (!reachOfLevels(view, levels, T(shape.roundShare), pose, reach))
+            return false;
+        for (std::size_t k = 0; k < supportDirections; ++k) {
+            const double seen = double(observation.supportPx[k]) + supportDirection(k).dot(observation.ellipse.centrePx);
+            residual[k] = limitedDifference(T((seen - bias.widerPx - bias.lowerPx * supportDirection(k).y() - reach[k]) / supportSigmaPx));
+        }
+        residual[supportDirections] = (pose[2] - axis.angleRad) / std::max(axis.sigmaRad, leastAxisSigmaRad);
+        return true;
+    }
+};
+
+} // namespace
+
+std::optional<Eigen::Vector2d> placeBySupport(const FloorView &view, const SolidShape &shape, const Observation &observation, const OutlineBias &bias,
+                                              const PlaceGuess &guess)
+{
+    if (observation.supportPx.size() != supportDirections)
+        return std::nullopt;
+    const SolidShape levels = asLevels(shape);
+    const SupportDifference difference{view, levels, observation, bias, guess.axis};
+    using Function = ceres::TinySolverAutoDiffFunction<SupportDifference, supportDirections + 1, 3>;
+    const Function function(difference);
+    ceres::TinySolver<Function> solver;
+    solver.options.max_num_iterations = 20;
+    Eigen::Vector3d pose(guess.place.x(), guess.place.y(), guess.axis.angleRad);
+    const auto &summary = solver.Solve(function, &pose);
+    if (!pose.allFinite() || !std::isfinite(summary.final_cost))
+        return std::nullopt;
+    return Eigen::Vector2d(pose.head<2>());
+}
+
+} // namespace odo
