@@ -49,6 +49,7 @@ inline const QString remark = QStringLiteral("remark");
 inline const QString removeStrays = QStringLiteral("remove-strays");
 inline const QString reverse = QStringLiteral("reverse");
 inline const QString robot = QStringLiteral("robot");
+inline const QString reference = QStringLiteral("reference");
 inline const QString school = QStringLiteral("school");
 inline const QString seconds = QStringLiteral("seconds");
 inline const QString size = QStringLiteral("size");

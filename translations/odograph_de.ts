@@ -6579,6 +6579,26 @@
         <source>check that the robot moves in the pictures, that a colour that was told is the one it has there, and that the light is sufficient</source>
         <translation>prüfen Sie, ob sich der Roboter in den Bildern bewegt, ob eine angegebene Farbe die dort sichtbare ist und ob das Licht ausreicht</translation>
     </message>
+    <message>
+        <source>its reference point is farther from its centre than %1 m</source>
+        <translation>sein Bezugspunkt liegt weiter als %1 m von seiner Mitte entfernt</translation>
+    </message>
+    <message>
+        <source>a reference point beside its centre takes a heading, which is not known where the height changes</source>
+        <translation>ein Bezugspunkt neben der Mitte braucht eine Fahrtrichtung, die nicht bekannt ist, wo sich die Höhe ändert</translation>
+    </message>
+    <message>
+        <source>leave out one of the two</source>
+        <translation>lassen Sie eines von beiden weg</translation>
+    </message>
+    <message>
+        <source>its reference point lies beside its centre, but its outlines do not tell its heading</source>
+        <translation>sein Bezugspunkt liegt neben seiner Mitte, aber seine Umrisse verraten seine Ausrichtung nicht</translation>
+    </message>
+    <message>
+        <source>give it the reference point 0,0 and track again</source>
+        <translation>geben Sie ihm den Bezugspunkt 0,0 und verfolgen Sie ihn erneut</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>
@@ -12430,6 +12450,30 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>In charts and maps, whatever the robot looks like</source>
         <translation>In Diagrammen und Karten, wie auch immer der Roboter aussieht</translation>
+    </message>
+    <message>
+        <source>From the middle of what the robot covers of the floor; 0 and 0 is the middle itself.</source>
+        <translation>Von der Mitte der Fläche, die der Roboter auf dem Boden einnimmt; 0 und 0 ist die Mitte selbst.</translation>
+    </message>
+    <message>
+        <source> mm forward</source>
+        <translation> mm nach vorn</translation>
+    </message>
+    <message>
+        <source>Measured point, forward of the robot&apos;s middle</source>
+        <translation>Gemessener Punkt, vor der Mitte des Roboters</translation>
+    </message>
+    <message>
+        <source> mm left</source>
+        <translation> mm nach links</translation>
+    </message>
+    <message>
+        <source>Measured point, left of the robot&apos;s middle</source>
+        <translation>Gemessener Punkt, links von der Mitte des Roboters</translation>
+    </message>
+    <message>
+        <source>&amp;Measured point</source>
+        <translation>Gemessener &amp;Punkt</translation>
     </message>
 </context>
 <context>

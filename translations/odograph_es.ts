@@ -6579,6 +6579,26 @@
         <source>check that the robot moves in the pictures, that a colour that was told is the one it has there, and that the light is sufficient</source>
         <translation>compruebe que el robot se mueve en las imágenes, que un color indicado es el que tiene allí y que la luz es suficiente</translation>
     </message>
+    <message>
+        <source>its reference point is farther from its centre than %1 m</source>
+        <translation>su punto de referencia está a más de %1 m de su centro</translation>
+    </message>
+    <message>
+        <source>a reference point beside its centre takes a heading, which is not known where the height changes</source>
+        <translation>un punto de referencia fuera del centro necesita un rumbo, que no se conoce donde cambia la altura</translation>
+    </message>
+    <message>
+        <source>leave out one of the two</source>
+        <translation>deje fuera uno de los dos</translation>
+    </message>
+    <message>
+        <source>its reference point lies beside its centre, but its outlines do not tell its heading</source>
+        <translation>su punto de referencia está fuera de su centro, pero sus contornos no indican su rumbo</translation>
+    </message>
+    <message>
+        <source>give it the reference point 0,0 and track again</source>
+        <translation>dele el punto de referencia 0,0 y vuelva a seguirlo</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>
@@ -12430,6 +12450,30 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>In charts and maps, whatever the robot looks like</source>
         <translation>En gráficos y mapas, sea cual sea el aspecto del robot</translation>
+    </message>
+    <message>
+        <source>From the middle of what the robot covers of the floor; 0 and 0 is the middle itself.</source>
+        <translation>Desde el centro de lo que el robot cubre del suelo; 0 y 0 es el propio centro.</translation>
+    </message>
+    <message>
+        <source> mm forward</source>
+        <translation> mm adelante</translation>
+    </message>
+    <message>
+        <source>Measured point, forward of the robot&apos;s middle</source>
+        <translation>Punto medido, por delante del centro del robot</translation>
+    </message>
+    <message>
+        <source> mm left</source>
+        <translation> mm a la izquierda</translation>
+    </message>
+    <message>
+        <source>Measured point, left of the robot&apos;s middle</source>
+        <translation>Punto medido, a la izquierda del centro del robot</translation>
+    </message>
+    <message>
+        <source>&amp;Measured point</source>
+        <translation>&amp;Punto medido</translation>
     </message>
 </context>
 <context>

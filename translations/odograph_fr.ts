@@ -6579,6 +6579,26 @@
         <source>check that the robot moves in the pictures, that a colour that was told is the one it has there, and that the light is sufficient</source>
         <translation>vérifiez que le robot se déplace dans les images, qu’une couleur indiquée est bien celle qu’il y a, et que la lumière suffit</translation>
     </message>
+    <message>
+        <source>its reference point is farther from its centre than %1 m</source>
+        <translation>son point de référence est à plus de %1 m de son centre</translation>
+    </message>
+    <message>
+        <source>a reference point beside its centre takes a heading, which is not known where the height changes</source>
+        <translation>un point de référence hors du centre demande un cap, qui n’est pas connu là où la hauteur change</translation>
+    </message>
+    <message>
+        <source>leave out one of the two</source>
+        <translation>omettez l’un des deux</translation>
+    </message>
+    <message>
+        <source>its reference point lies beside its centre, but its outlines do not tell its heading</source>
+        <translation>son point de référence est hors de son centre, mais ses contours n’indiquent pas son cap</translation>
+    </message>
+    <message>
+        <source>give it the reference point 0,0 and track again</source>
+        <translation>donnez-lui le point de référence 0,0 et suivez-le à nouveau</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>
@@ -12430,6 +12450,30 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>In charts and maps, whatever the robot looks like</source>
         <translation>Dans les graphiques et les cartes, quel que soit l’aspect du robot</translation>
+    </message>
+    <message>
+        <source>From the middle of what the robot covers of the floor; 0 and 0 is the middle itself.</source>
+        <translation>Depuis le milieu de ce que le robot couvre du sol ; 0 et 0 est le milieu même.</translation>
+    </message>
+    <message>
+        <source> mm forward</source>
+        <translation> mm vers l’avant</translation>
+    </message>
+    <message>
+        <source>Measured point, forward of the robot&apos;s middle</source>
+        <translation>Point mesuré, en avant du milieu du robot</translation>
+    </message>
+    <message>
+        <source> mm left</source>
+        <translation> mm vers la gauche</translation>
+    </message>
+    <message>
+        <source>Measured point, left of the robot&apos;s middle</source>
+        <translation>Point mesuré, à gauche du milieu du robot</translation>
+    </message>
+    <message>
+        <source>&amp;Measured point</source>
+        <translation>&amp;Point mesuré</translation>
     </message>
 </context>
 <context>

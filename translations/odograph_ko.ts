@@ -6577,6 +6577,26 @@
         <source>check that the robot moves in the pictures, that a colour that was told is the one it has there, and that the light is sufficient</source>
         <translation>로봇이 영상에서 움직이는지, 지정한 색이 영상에서의 색과 같은지, 조명이 충분한지 확인하십시오</translation>
     </message>
+    <message>
+        <source>its reference point is farther from its centre than %1 m</source>
+        <translation>기준점이 중심에서 %1 m보다 멀리 있습니다</translation>
+    </message>
+    <message>
+        <source>a reference point beside its centre takes a heading, which is not known where the height changes</source>
+        <translation>중심을 벗어난 기준점에는 방향이 필요한데, 높이가 변하는 곳에서는 방향을 알 수 없습니다</translation>
+    </message>
+    <message>
+        <source>leave out one of the two</source>
+        <translation>둘 중 하나를 빼십시오</translation>
+    </message>
+    <message>
+        <source>its reference point lies beside its centre, but its outlines do not tell its heading</source>
+        <translation>기준점이 중심을 벗어나 있지만 윤곽으로는 방향을 알 수 없습니다</translation>
+    </message>
+    <message>
+        <source>give it the reference point 0,0 and track again</source>
+        <translation>기준점을 0,0으로 하고 다시 추적하십시오</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>
@@ -12411,6 +12431,30 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>In charts and maps, whatever the robot looks like</source>
         <translation>로봇의 모습과 상관없이 차트와 지도에 쓰이는 색</translation>
+    </message>
+    <message>
+        <source>From the middle of what the robot covers of the floor; 0 and 0 is the middle itself.</source>
+        <translation>로봇이 바닥에서 차지하는 영역의 중심에서 잰 값입니다. 0과 0은 중심 자체입니다.</translation>
+    </message>
+    <message>
+        <source> mm forward</source>
+        <translation> mm 앞</translation>
+    </message>
+    <message>
+        <source>Measured point, forward of the robot&apos;s middle</source>
+        <translation>측정점, 로봇 중심의 앞쪽</translation>
+    </message>
+    <message>
+        <source> mm left</source>
+        <translation> mm 왼쪽</translation>
+    </message>
+    <message>
+        <source>Measured point, left of the robot&apos;s middle</source>
+        <translation>측정점, 로봇 중심의 왼쪽</translation>
+    </message>
+    <message>
+        <source>&amp;Measured point</source>
+        <translation>측정점(&amp;M)</translation>
     </message>
 </context>
 <context>

@@ -6577,6 +6577,26 @@
         <source>check that the robot moves in the pictures, that a colour that was told is the one it has there, and that the light is sufficient</source>
         <translation>请检查机器人在画面中是否移动、指定的颜色是否与画面中的一致、光线是否充足</translation>
     </message>
+    <message>
+        <source>its reference point is farther from its centre than %1 m</source>
+        <translation>其参考点距中心超过 %1 m</translation>
+    </message>
+    <message>
+        <source>a reference point beside its centre takes a heading, which is not known where the height changes</source>
+        <translation>偏离中心的参考点需要朝向，而高度变化时朝向未知</translation>
+    </message>
+    <message>
+        <source>leave out one of the two</source>
+        <translation>请去掉其中之一</translation>
+    </message>
+    <message>
+        <source>its reference point lies beside its centre, but its outlines do not tell its heading</source>
+        <translation>其参考点偏离中心，但其轮廓无法给出朝向</translation>
+    </message>
+    <message>
+        <source>give it the reference point 0,0 and track again</source>
+        <translation>请把参考点设为 0,0 后重新跟踪</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>
@@ -12411,6 +12431,30 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>In charts and maps, whatever the robot looks like</source>
         <translation>用于图表和地图，与机器人的外观无关</translation>
+    </message>
+    <message>
+        <source>From the middle of what the robot covers of the floor; 0 and 0 is the middle itself.</source>
+        <translation>从机器人在地面上所占区域的中心算起；0 和 0 即中心本身。</translation>
+    </message>
+    <message>
+        <source> mm forward</source>
+        <translation> 毫米向前</translation>
+    </message>
+    <message>
+        <source>Measured point, forward of the robot&apos;s middle</source>
+        <translation>测量点，在机器人中心前方</translation>
+    </message>
+    <message>
+        <source> mm left</source>
+        <translation> 毫米向左</translation>
+    </message>
+    <message>
+        <source>Measured point, left of the robot&apos;s middle</source>
+        <translation>测量点，在机器人中心左侧</translation>
+    </message>
+    <message>
+        <source>&amp;Measured point</source>
+        <translation>测量点(&amp;M)</translation>
     </message>
 </context>
 <context>

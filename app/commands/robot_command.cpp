@@ -91,6 +91,14 @@ Result<RobotRecord> robotFrom(const CommandCall &call)
         robot.lengthM = fromMillimetres(size->first);
         robot.widthM = fromMillimetres(size->second);
     }
+    if (call.isSet(option::reference)) {
+        const QStringList parts = QString::fromStdString(call.value(option::reference)).split(u',');
+        const auto forward = parseNumber(parts.front().toStdString()), left = parseNumber(parts.back().toStdString());
+        if (parts.size() != 2 || !forward || !left)
+            return call.wrongCall(QStringLiteral("--reference '%1' is not of the form FORWARD,LEFT, two numbers in millimetres")
+                                      .arg(QString::fromStdString(call.value(option::reference))));
+        robot.referenceM = {fromMillimetres(*forward), fromMillimetres(*left)};
+    }
     return robot;
 }
 
@@ -102,7 +110,7 @@ Result<void> runRobot(const QStringList &arguments, const CancelToken &cancel)
         {QStringLiteral("robot"),
          QStringLiteral("add P.odo NAME [--colour #rrggbb|--pick FILE --box x,y,w,h [--frame N]] [--height "
                         "60mm|auto|free] "
-                        "[--size 260x190]"),
+                        "[--size 260x190] [--reference 20,0]"),
          3,
          3,
          {{option::colour, QStringLiteral("The robot's colour, where it has one of its own; without it the robot may have any look."), QStringLiteral("#rrggbb")},
@@ -114,7 +122,9 @@ Result<void> runRobot(const QStringList &arguments, const CancelToken &cancel)
            QStringLiteral(
                "Height of its top; auto estimates it from the views; free triangulates every frame."),
            QStringLiteral("LENGTH")},
-          {option::size, QStringLiteral("Length and width in mm."), QStringLiteral("LxW")}}},
+          {option::size, QStringLiteral("Length and width in mm."), QStringLiteral("LxW")},
+          {option::reference, QStringLiteral("The point that is measured, in mm from the footprint's centre: forward along its heading, and to its left."),
+           QStringLiteral("FORWARD,LEFT")}}},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});

@@ -18,11 +18,13 @@ QJsonObject robotJson(const TrackedRobot &robot)
                      {QStringLiteral("tracked"), qint64(robot.tracked)},
                      {QStringLiteral("spikes"), qint64(profile.spikes.size())},
                      {QStringLiteral("mean_view_disagreement_mm"), toMillimetres(profile.meanViewDisagreementM)},
+                     {QStringLiteral("look"), robot.isFoundByColour ? QStringLiteral("colour") : QStringLiteral("any")},
                      {QStringLiteral("height_m"), profile.heightM},
                      {QStringLiteral("path_length_m"), metricValue(profile, "path_length")},
                      {QStringLiteral("duration_s"), metricValue(profile, "duration")},
                      {QStringLiteral("mean_speed_m_s"), metricValue(profile, "mean_speed")},
                      {QStringLiteral("max_speed_m_s"), metricValue(profile, "max_speed")}};
+    json.insert(QStringLiteral("clearance_mm"), profile.clearanceM ? QJsonValue(toMillimetres(*profile.clearanceM)) : QJsonValue());
     insertTaskAnswers(json, profile);
     return json;
 }

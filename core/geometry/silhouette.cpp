@@ -91,6 +91,30 @@ std::optional<std::vector<Vector2d>> cornerPixels(const FloorView &view, const S
 
 } // namespace
 
+SolidShape asLevels(SolidShape shape)
+{
+    if (shape.form == SolidShape::Form::Levels)
+        return shape;
+    for (std::size_t i = 0; i < shape.levels.size(); ++i) {
+        const double share = double(i) / double(shape.levels.size() - 1);
+        shape.levels[i] = {(1 - share) * shape.baseM + share * shape.topM, shape.lengthM / 2, shape.lengthM / 2, shape.widthM / 2, shape.widthM / 2};
+    }
+    shape.roundShare = shape.form == SolidShape::Form::Cylinder ? 1 : 0;
+    shape.form = SolidShape::Form::Levels;
+    return shape;
+}
+
+SolidShape movedPlace(SolidShape levels, const Vector2d &shiftM)
+{
+    for (SolidLevel &level : levels.levels) {
+        level.frontM -= shiftM.x();
+        level.backM += shiftM.x();
+        level.leftM -= shiftM.y();
+        level.rightM += shiftM.y();
+    }
+    return levels;
+}
+
 std::optional<RegionMoments> silhouetteMoments(const FloorView &view, const SolidShape &shape,
                                                const Vector2d &positionInWorld, double headingRad)
 {

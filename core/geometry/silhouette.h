@@ -26,9 +26,14 @@ struct SolidShape
     Form form = Form::Box;
     double lengthM = 0, widthM = 0; ///< along and across the heading, of all of it; of a cylinder both are the diameter
     double baseM = 0, topM = 0;     ///< above the floor
-    std::array<SolidLevel, 3> levels = {}; ///< of Form::Levels, from below; the middle of what they cover is the place
+    std::array<SolidLevel, 3> levels = {}; ///< of Form::Levels, from below; the middle of what they cover is the place, unless that was moved (movedPlace)
     double roundShare = 0;                 ///< of Form::Levels: radius of their corners against half of their shorter side, 0 to 1
 };
+
+/// The same solid as one of levels.
+SolidShape asLevels(SolidShape shape);
+/// A solid of levels that is said to stand at another place in it: so far forward and left of the one before. Metres.
+SolidShape movedPlace(SolidShape levels, const Eigen::Vector2d &shiftM);
 
 /// What a view sees of the solid whose footprint's centre stands at a place of the floor, its length turned
 /// by headingRad from the world's X: the moments of the outline that its projected edges enclose (for a

@@ -28,7 +28,8 @@ struct NumberColumn
 constexpr NumberColumn numbers[] = {
     {"marker", "x_m", 1000},          {"marker", "y_m", 1000},
     {"robot", "height_m", largestRobotM},  {"robot", "length_m", largestRobotM},
-    {"robot", "width_m", largestRobotM},   {"recording", "frames_per_second", highestFrameRate},
+    {"robot", "width_m", largestRobotM},   {"robot", "ABS(reference_forward_m)", largestRobotM},
+    {"robot", "ABS(reference_left_m)", largestRobotM}, {"recording", "frames_per_second", highestFrameRate},
     {"trial", "duration_s", largestNumber}, {"registration", "x_m", largestNumber},
     {"registration", "y_m", largestNumber}, {"registration", "z_m", largestNumber}};
 

@@ -11,6 +11,7 @@
 #include "core/trajectory/task.h"
 
 #include <cstdint>
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <vector>
@@ -98,6 +99,7 @@ struct RobotRecord
     std::optional<double> heightM;          ///< when Told
     std::optional<double> lengthM, widthM;
     DrawingColour drawingColour = DrawingColour::Automatic;
+    Eigen::Vector2d referenceM = Eigen::Vector2d::Zero(); ///< forward and left from its footprint's centre: the point that is measured
 };
 
 struct TeamRecord

@@ -12,7 +12,7 @@ namespace odo {
 namespace {
 
 const QString robotColumns =
-    QStringLiteral("SELECT id, name, colour, height_mode, height_m, length_m, width_m, drawing_colour FROM robot ");
+    QStringLiteral("SELECT id, name, colour, height_mode, height_m, length_m, width_m, drawing_colour, reference_forward_m, reference_left_m FROM robot ");
 
 std::optional<double> sizeOf(const Statement &row, int column)
 {
@@ -53,6 +53,7 @@ Result<RobotRecord> robotOf(const Statement &row)
     if (!drawing)
         return tl::unexpected(drawing.error());
     robot.drawingColour = *drawing;
+    robot.referenceM = {row.real(8), row.real(9)};
     return robot;
 }
 
@@ -81,6 +82,11 @@ Result<void> checkRobot(const RobotRecord &robot)
         if (size && *size > largestRobotM)
             return refuse("it is larger than " + std::to_string(largestRobotM) + " m", "check the numbers");
     }
+    if (!(robot.referenceM.cwiseAbs().maxCoeff() <= largestRobotM))
+        return refuse("its reference point is farther from its centre than " + std::to_string(largestRobotM) + " m", "check the numbers");
+    if (!robot.referenceM.isZero() && robot.heightMode == RobotRecord::Height::Free)
+        return refuse("a reference point beside its centre takes a heading, which is not known where the height changes",
+                      "leave out one of the two");
     return {};
 }
 
@@ -98,12 +104,13 @@ Result<RobotRecord> RobotRepository::add(const RobotRecord &given)
             return tl::unexpected(isFree.error());
         Statement insert(m_connection,
                          QStringLiteral("INSERT INTO robot (name, colour, height_mode, height_m, "
-                                        "length_m, width_m, drawing_colour) VALUES (?,?,?,?,?,?,?)"));
+                                        "length_m, width_m, drawing_colour, reference_forward_m, reference_left_m) VALUES (?,?,?,?,?,?,?,?,?)"));
         insert.bind(robot.name)
             .bind(storedColour(robot))
             .bind(storedWord(heightModeWords, robot.heightMode));
         insert.bind(robot.heightM).bind(robot.lengthM).bind(robot.widthM);
-        if (auto done = insert.bind(storedWord(drawingColourWords, robot.drawingColour)).run(); !done)
+        insert.bind(storedWord(drawingColourWords, robot.drawingColour));
+        if (auto done = insert.bind(robot.referenceM.x()).bind(robot.referenceM.y()).run(); !done)
             return tl::unexpected(done.error());
         RobotRecord stored = robot;
         stored.id = insert.insertedId();
@@ -161,10 +168,11 @@ Result<void> RobotRepository::set(const RobotRecord &given)
             if (auto isFree = checkNameIsFree(m_connection, "robot", "robot", robot.name); !isFree)
                 return isFree;
         Statement update(m_connection, QStringLiteral("UPDATE robot SET name=?, colour=?, height_mode=?, height_m=?, "
-                                                      "length_m=?, width_m=?, drawing_colour=? WHERE id=?"));
+                                                      "length_m=?, width_m=?, drawing_colour=?, reference_forward_m=?, reference_left_m=? WHERE id=?"));
         update.bind(robot.name).bind(storedColour(robot)).bind(storedWord(heightModeWords, robot.heightMode));
         update.bind(robot.heightM).bind(robot.lengthM).bind(robot.widthM);
-        return update.bind(storedWord(drawingColourWords, robot.drawingColour)).bind(robot.id).run();
+        update.bind(storedWord(drawingColourWords, robot.drawingColour));
+        return update.bind(robot.referenceM.x()).bind(robot.referenceM.y()).bind(robot.id).run();
     });
 }
 

@@ -321,6 +321,15 @@ std::vector<std::string> provedAnalyses()
     };
 }
 
+/// The point of a robot that is measured. Robots without a colour came with it, which older programs do not read.
+std::vector<std::string> referencePoints()
+{
+    return {
+        "ALTER TABLE robot ADD COLUMN reference_forward_m REAL NOT NULL DEFAULT 0",
+        "ALTER TABLE robot ADD COLUMN reference_left_m REAL NOT NULL DEFAULT 0",
+    };
+}
+
 } // namespace
 
 std::vector<Migration> projectMigrations()
@@ -337,7 +346,8 @@ std::vector<Migration> projectMigrations()
             sqlMigration("what a school year needs: stars, tags, archive, bin, pseudonyms, scoring and the list of changes",
                          schoolYear()),
             sqlMigration("members and robots of teams, zones and the archive of tasks, and imported tracks", teamsAndZones()),
-            sqlMigration("digests of analyses, and long series in chunks", provedAnalyses())};
+            sqlMigration("digests of analyses, and long series in chunks", provedAnalyses()),
+            sqlMigration("the point of a robot that is measured", referencePoints())};
 }
 
 const Migrator &projectMigrator()

@@ -21,9 +21,11 @@ bool needsBackground(const std::vector<TrackTarget> &targets)
     return std::ranges::any_of(targets, bySilhouette);
 }
 
-Result<std::unique_ptr<RobotTracker>> RobotTracker::create(const std::vector<TrackTarget> &targets, std::optional<Background> background)
+Result<std::unique_ptr<RobotTracker>> RobotTracker::create(const std::vector<TrackTarget> &targets, std::optional<Background> background,
+                                                           const std::optional<FloorView> &floor)
 {
     std::unique_ptr<RobotTracker> tracker(new RobotTracker);
+    tracker->m_floor = floor;
     std::vector<TrackTarget> coloured;
     for (std::size_t i = 0; i < targets.size(); ++i) {
         if (bySilhouette(targets[i]))
@@ -50,7 +52,7 @@ void RobotTracker::setBackground(Background background)
     if (m_bySilhouette)
         m_bySilhouette->setBackground(std::move(background));
     else if (!m_others.empty())
-        m_bySilhouette = std::make_unique<SilhouetteTracker>(std::move(background), m_others.size());
+        m_bySilhouette = std::make_unique<SilhouetteTracker>(std::move(background), m_others.size(), m_floor);
 }
 
 std::optional<PixelRect> RobotTracker::neededRegion(Nanoseconds time) const

@@ -17,8 +17,9 @@ class RobotTracker
 {
 public:
     /// background: of the view, without the robots; needed for robots of any look, which are found in no frame without one. Errors: those of
-    /// ColourTracker.
-    static Result<std::unique_ptr<RobotTracker>> create(const std::vector<TrackTarget> &targets, std::optional<Background> background);
+    /// ColourTracker. floor: of a registered view, before which what is too large for a robot is none.
+    static Result<std::unique_ptr<RobotTracker>> create(const std::vector<TrackTarget> &targets, std::optional<Background> background,
+                                                        const std::optional<FloorView> &floor = {});
 
     /// A first or a newer background of the same place.
     void setBackground(Background background);
@@ -37,6 +38,7 @@ private:
     std::unique_ptr<SilhouetteTracker> m_bySilhouette;
     std::vector<std::size_t> m_coloured, m_others; ///< targets; one whose whole outline is wanted may be both
     std::vector<TrackTarget> m_targets;
+    std::optional<FloorView> m_floor;
 };
 
 /// Whether some robot is to be measured by its silhouette, which takes a background.

@@ -6,6 +6,7 @@
 #include "core/tracking/moment_ellipse.h"
 #include "core/tracking/motion_predictor.h"
 #include "core/tracking/silhouette_finder.h"
+#include "core/tracking/size_on_floor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,6 +65,7 @@ struct SilhouetteTracker::Impl
     std::vector<Followed> robots;
     std::vector<Observation> last;
     DuplicateDetector duplicates;
+    std::optional<FloorView> floor;
 
     void assign(const Frame &frame, std::vector<SeenSilhouette> seen, std::span<const SilhouetteCue> cues);
     void accept(Followed &robot, const SeenSilhouette &silhouette, double timeS, Observation &observation);
@@ -149,8 +151,8 @@ void SilhouetteTracker::Impl::assign(const Frame &frame, std::vector<SeenSilhoue
     }
 }
 
-SilhouetteTracker::SilhouetteTracker(Background background, std::size_t robots)
-    : m_impl(new Impl{SilhouetteFinder(std::move(background)), std::vector<Followed>(robots), {}, {}})
+SilhouetteTracker::SilhouetteTracker(Background background, std::size_t robots, std::optional<FloorView> floor)
+    : m_impl(new Impl{SilhouetteFinder(std::move(background)), std::vector<Followed>(robots), {}, {}, std::move(floor)})
 {
 }
 
@@ -172,6 +174,8 @@ std::vector<Observation> SilhouetteTracker::track(const Frame &frame, std::span<
         if (const auto whole = wholeFrame(frame)) {
             std::vector<SeenSilhouette> seen = d.finder.find(*whole);
             std::erase_if(seen, [&](const SeenSilhouette &one) {
+                if (d.floor && isTooLargeForRobot(*d.floor, one.box))
+                    return true;
                 return std::ranges::any_of(others, [&](const Observation &other) { return lies(one, other); });
             });
             d.assign(frame, std::move(seen), cues);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry/floor_view.h"
 #include "core/tracking/background.h"
 #include "core/tracking/chroma.h"
 #include "core/tracking/observation.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,7 +25,8 @@ struct SilhouetteCue
 class SilhouetteTracker
 {
 public:
-    SilhouetteTracker(Background background, std::size_t robots);
+    /// floor: of a registered view, before which what is too large for a robot is none.
+    SilhouetteTracker(Background background, std::size_t robots, std::optional<FloorView> floor = {});
     ~SilhouetteTracker();
     SilhouetteTracker(const SilhouetteTracker &) = delete;
     SilhouetteTracker &operator=(const SilhouetteTracker &) = delete;

@@ -96,6 +96,7 @@ struct PlacedRobot
     double planeSigmaM = 0; ///< of the plane used
     double heightM = 0;     ///< of the robot's top
     bool estimated = false;
+    std::optional<double> clearanceM; ///< of a solid
 };
 
 /// Sightings on one plane. Where the views show that the point strays from it (a person's head, a wrong
@@ -135,22 +136,27 @@ std::optional<PlacedRobot> placeSolid(const std::vector<ViewTrack> &views,
     placed.planeSigmaM = sigmaTopM * middleHeightM(solid->shape) / solid->shape.topM;
     placed.heightM = solid->shape.topM;
     placed.estimated = !told.heightM;
+    placed.clearanceM = solid->shape.baseM;
     return placed;
 }
 
 /// One height for the whole run: told, or estimated from the views, or (from one view alone) unknown.
-PlacedRobot placeAtOneHeight(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,
-                             const RobotShape &shape)
+Result<PlacedRobot> placeAtOneHeight(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,
+                                     const RobotShape &shape)
 {
     const bool markTold = shape.heightM && isMarkAtTop(views, *shape.heightM);
     if (!markTold) {
         if (auto solid = placeSolid(views, times, shape))
             return std::move(*solid);
     }
+    if (!shape.referenceM.isZero())
+        return fail(ErrorCode::Undetermined, cannotMeasurePath,
+                    "its reference point lies beside its centre, but its outlines do not tell its heading",
+                    "give it the reference point 0,0 and track again");
     const PlaneChoice plane = choosePlane(views, times, shape);
     const bool known = plane.heightM > 0;
-    return {known ? lookAtPlane(views, times, plane.planeM) : lookFromAllViews(views, times, 0), plane.sigmaM,
-            plane.heightM, plane.estimated};
+    return PlacedRobot{known ? lookAtPlane(views, times, plane.planeM) : lookFromAllViews(views, times, 0), plane.sigmaM,
+            plane.heightM, plane.estimated, {}};
 }
 
 Result<PlacedRobot> place(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,
@@ -163,7 +169,7 @@ Result<PlacedRobot> place(const std::vector<ViewTrack> &views, const std::vector
         return fail(ErrorCode::Undetermined, cannotMeasurePath,
                     "its height is to be triangulated, but two registered views hardly ever saw it together",
                     "add a second view, or give the robot one height");
-    return PlacedRobot{std::move(placed->views), freePlaneSigmaM, placed->medianHeightM, true};
+    return PlacedRobot{std::move(placed->views), freePlaneSigmaM, placed->medianHeightM, true, {}};
 }
 
 double meanDisagreement(const std::vector<Sample> &samples)
@@ -216,6 +222,7 @@ struct MeasuredRobot
     MeasurementNoise noise;
     double heightM = 0;
     bool heightEstimated = false;
+    std::optional<double> clearanceM;
 };
 
 Result<MeasuredRobot> measure(const std::vector<ViewTrack> &views, const RobotShape &shape,
@@ -234,7 +241,7 @@ Result<MeasuredRobot> measure(const std::vector<ViewTrack> &views, const RobotSh
     settings.planeSigmaM = placed->planeSigmaM;
     settings.measurement = estimateOutlineNoise(placed->views);
     MeasuredRobot robot{fuseViews(times, frames, placed->views, settings), settings.measurement, placed->heightM,
-                        placed->estimated};
+                        placed->estimated, placed->clearanceM};
     chooseByMotion(robot.track, settings, options.longestBridgedGap);
     alignSingleViews(robot.track, placed->views, views);
     applyOverrules(robot.track.samples, options.overrules);
@@ -256,6 +263,7 @@ Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &s
         return profile;
     profile->heightM = robot->heightM;
     profile->heightEstimated = robot->heightEstimated;
+    profile->clearanceM = robot->clearanceM;
     profile->meanViewDisagreementM = meanDisagreement(profile->samples);
     return profile;
 }

@@ -41,6 +41,7 @@ struct RobotShape
     std::optional<double> heightM;
     std::optional<double> lengthM, widthM;
     bool heightVaries = false; ///< on a ramp: triangulated in every frame; heightM is not looked at
+    Eigen::Vector2d referenceM = Eigen::Vector2d::Zero(); ///< forward and left from the footprint's centre: the point whose path is measured
 };
 
 /// A person's word on one sample, over that of the analysis. The raw measurement is kept in either case.
@@ -66,7 +67,7 @@ AnalysisOptions withTask(AnalysisOptions options, const Task &task);
 
 /// Observations of all views → samples → spikes → profile → metrics. Times of the samples are the first
 /// view's frame times; other views are interpolated to them. Pure and thread-safe. Errors: no view
-/// registered, robot never found.
+/// registered, robot never found, a reference point beside the centre of a robot whose outlines tell no heading.
 Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &shape,
                         const AnalysisOptions &options);
 

@@ -109,9 +109,9 @@ std::optional<BodyPixel> bodyPixel(const FloorView &view, const SolidShape &shap
     }
     BodyPixel mean;
     std::vector<Eigen::Vector2d> pixels;
+    const double turn = shape.form == SolidShape::Form::Levels ? 2 * std::numbers::pi : std::numbers::pi; // after which it looks the same
     for (int i = 0; i < anglesOfUnknownAxis; ++i) {
-        const auto pixel =
-            pixelOfBodyMiddle(view, shape, centroid, i * std::numbers::pi / anglesOfUnknownAxis);
+        const auto pixel = pixelOfBodyMiddle(view, shape, centroid, i * turn / anglesOfUnknownAxis);
         if (!pixel)
             return std::nullopt;
         pixels.push_back(*pixel);

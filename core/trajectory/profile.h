@@ -129,6 +129,7 @@ struct Profile
     std::vector<SampleFlags> flags;
     double heightM = 0; ///< of the robot's top; its median where it varies
     bool heightEstimated = false;
+    std::optional<double> clearanceM = {}; ///< of the solid that the outlines were measured by: from the floor to its lowest part; it is not stored
     double meanViewDisagreementM = 0;
 };
 

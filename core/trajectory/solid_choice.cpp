@@ -75,25 +75,6 @@ Consensus consensusOf(const LevelFit &best, const std::vector<StartedFit> &all)
     return consensus;
 }
 
-/// The same solid, told to stand at another place in it.
-SolidShape movedPlace(SolidShape shape, const Eigen::Vector2d &shift)
-{
-    for (SolidLevel &level : shape.levels) {
-        level.frontM -= shift.x();
-        level.backM += shift.x();
-        level.leftM -= shift.y();
-        level.rightM += shift.y();
-    }
-    return shape;
-}
-
-bool haveSupport(const std::vector<ViewTrack> &views)
-{
-    return std::ranges::any_of(views, [](const ViewTrack &view) {
-        return std::ranges::any_of(view.observations, [](const Observation &observation) { return !observation.supportPx.empty(); });
-    });
-}
-
 /// A box where each view saw it, with its axes.
 struct PlacedSolid
 {
@@ -105,6 +86,23 @@ PlacedSolid placedSolid(const std::vector<ViewTrack> &views, const ShapeEstimate
 {
     Axes axes = trackAxis(views, estimate.shape);
     return {{estimate.shape, estimate.sigmaTopM, placeBody(views, estimate.shape, axes)}, std::move(axes)};
+}
+
+/// Lays a box or cylinder by another point of it, for which its front must be known: of a cylinder only its motion tells it.
+void moveToReference(const std::vector<ViewTrack> &views, const Eigen::Vector2d &referenceM, PlacedSolid &placed)
+{
+    FoundSolid &solid = placed.solid;
+    placed.axes = solid.shape.form == SolidShape::Form::Cylinder ? directionsOfMotion(views, solid.seen, placed.axes)
+                                                                 : directedAxes(views, solid.seen, std::move(placed.axes));
+    solid.shape = movedPlace(asLevels(solid.shape), referenceM);
+    solid.seen = placeBody(views, solid.shape, placed.axes);
+}
+
+bool haveSupport(const std::vector<ViewTrack> &views)
+{
+    return std::ranges::any_of(views, [](const ViewTrack &view) {
+        return std::ranges::any_of(view.observations, [](const Observation &observation) { return !observation.supportPx.empty(); });
+    });
 }
 
 /// What a box leaves unexplained, a solid of several levels may explain.
@@ -123,7 +121,7 @@ std::optional<FoundSolid> findSolidOfLevels(const std::vector<ViewTrack> &views,
     if (best == fits.end() || best->fit.misfit > worstLevelMisfit)
         return std::nullopt;
     const Consensus consensus = consensusOf(best->fit, fits);
-    FoundSolid solid{movedPlace(best->fit.shape, consensus.shift), best->fit.sigmaTopM, {}};
+    FoundSolid solid{movedPlace(best->fit.shape, consensus.shift + told.referenceM), best->fit.sigmaTopM, {}};
     solid.seen = placeBody(views, solid.shape, refineDirections(views, solid.shape, *best->directions), consensus.doubt);
     return solid;
 }
@@ -154,7 +152,10 @@ std::optional<FoundSolid> findSolid(const std::vector<ViewTrack> &views, const R
     }
     if (!box || box->misfit > worstShapeMisfit)
         return std::nullopt;
-    return placedSolid(views, *box).solid;
+    PlacedSolid placed = placedSolid(views, *box);
+    if (!told.referenceM.isZero())
+        moveToReference(views, told.referenceM, placed);
+    return std::move(placed.solid);
 }
 
 } // namespace odo

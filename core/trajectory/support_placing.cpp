@@ -15,19 +15,6 @@ namespace {
 constexpr double supportSigmaPx = 0.5;
 constexpr double leastAxisSigmaRad = 0.01;
 
-/// Any solid as one of levels.
-SolidShape asLevels(SolidShape shape)
-{
-    if (shape.form == SolidShape::Form::Levels)
-        return shape;
-    for (std::size_t i = 0; i < shape.levels.size(); ++i) {
-        const double share = double(i) / double(shape.levels.size() - 1);
-        shape.levels[i] = {(1 - share) * shape.baseM + share * shape.topM, shape.lengthM / 2, shape.lengthM / 2, shape.widthM / 2, shape.widthM / 2};
-    }
-    shape.roundShare = shape.form == SolidShape::Form::Cylinder ? 1 : 0;
-    return shape;
-}
-
 /// Of x, y and heading: the support against that seen, and the heading against the axis.
 struct SupportDifference
 {

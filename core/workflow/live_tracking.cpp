@@ -67,7 +67,7 @@ Result<std::unique_ptr<LiveTracker>> LiveTracker::create(const std::vector<LiveV
             break;
         if (needsBackground(targets))
             view.background.emplace();
-        auto tracker = RobotTracker::create(targets, {});
+        auto tracker = RobotTracker::create(targets, {}, view.view.floorView);
         if (!tracker)
             return tl::unexpected(tracker.error());
         view.tracker = std::move(*tracker);

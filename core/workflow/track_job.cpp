@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/tracking/colour_tracker.h"
 #include "core/trajectory/imported_track.h"
 #include "core/workflow/imported_tracks.h"
 #include "core/workflow/registered_view.h"
@@ -205,6 +206,9 @@ void TrackJob::Impl::addOutcome(AnalysisRecord analysis)
 {
     TrackedRobot result;
     result.name = analysis.robotName;
+    result.isFoundByColour = std::ranges::any_of(robots, [&](const RobotRecord &robot) {
+        return robot.id == analysis.robot && isFoundByColour({robot.name, robot.colour});
+    });
     result.frames = static_cast<std::int64_t>(analysis.profile.samples.size());
     for (const Sample &sample : analysis.profile.samples)
         result.tracked += sample.position.has_value();

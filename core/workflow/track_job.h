@@ -29,6 +29,7 @@ struct TrackedRobot
     std::string name;
     std::int64_t frames = 0;  ///< of the first view
     std::int64_t tracked = 0; ///< of them, with a position
+    bool isFoundByColour = false;
     AnalysisRecord analysis;
 };
 

@@ -70,7 +70,7 @@ Result<std::unique_ptr<RobotTracker>> trackerFor(const RegisteredView &view, con
             return tl::unexpected(learned.error());
         background = std::move(*learned);
     }
-    return RobotTracker::create(targets, std::move(background));
+    return RobotTracker::create(targets, std::move(background), view.floorView);
 }
 
 Result<TrackedView> trackView(const RegisteredView &view, const std::vector<RobotRecord> &robots, const std::vector<TrackTarget> &targets,
@@ -229,6 +229,7 @@ RobotShape shapeOf(const RobotRecord &robot)
     shape.heightVaries = robot.heightMode == RobotRecord::Height::Free;
     shape.lengthM = robot.lengthM;
     shape.widthM = robot.widthM;
+    shape.referenceM = robot.referenceM;
     return shape;
 }
 

@@ -258,6 +258,10 @@ private Q_SLOTS:
         row("robot add %P blue --colour red", 2, "#rrggbb");
         row("robot add %P blue --colour #0000ff --height tall", 2, "not a length");
         row("robot add %P blue --colour #0000ff --size 26", 2, "AxB");
+        row("robot add %P blue --reference 20", 2, "--reference '20' is not of the form FORWARD,LEFT, two numbers in millimetres");
+        row("robot add %P blue --reference 20,x", 2, "two numbers in millimetres");
+        row("robot add %P blue --reference 0,-10001", 1, "its reference point is farther from its centre than 10 m");
+        row("robot add %P blue --height free --reference 1,0", 1, "takes a heading, which is not known where the height changes");
         row("robot add %P blue --colour #0000ff --pick %/a.mkv", 2, "two colours");
         row("robot add %P blue --pick %/a.mkv", 2, "--pick needs --box");
         row("robot add %P blue --pick %/a.mkv --box 1,2,3", 2, "not of the form x,y,w,h");

@@ -161,7 +161,7 @@ private Q_SLOTS:
     void robotsRoundTrip()
     {
         using Height = RobotRecord::Height;
-        const RobotRecord wanted[] = {{0, "red", RgbColour{1, 2, 255}, Height::Told, m_source.positive() / 200, 0.26, 0.19, DrawingColour::SkyBlue},
+        const RobotRecord wanted[] = {{0, "red", RgbColour{1, 2, 255}, Height::Told, m_source.positive() / 200, 0.26, 0.19, DrawingColour::SkyBlue, {0.02, -0.005}},
                                       {0, "blau", RgbColour{0, 0, 0}, Height::Automatic, {}, {}, {}},
                                       {0, "機器人", RgbColour{9, 9, 9}, Height::Free, {}, 0.3, {}},
                                       {0, "of any look", {}, Height::Automatic, {}, {}, {}}};
@@ -180,6 +180,7 @@ private Q_SLOTS:
             QVERIFY(read->heightM == robot.heightM && read->lengthM == robot.lengthM &&
                     read->widthM == robot.widthM);
             QVERIFY(read->drawingColour == robot.drawingColour);
+            QVERIFY(read->referenceM == robot.referenceM);
         }
         const auto unknown = (*m_project)->robots().find("x");
         QCOMPARE(unknown.error().code, ErrorCode::NotFound);

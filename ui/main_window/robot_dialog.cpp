@@ -19,12 +19,13 @@ namespace odo {
 namespace {
 constexpr double usualHeightMm = 60;
 constexpr int robotSwatchSide = 16;
+constexpr double farthestReferenceMm = 2000;
 } // namespace
 
 RobotDialog::RobotDialog(QList<PickableVideo> videos, QWidget *parent)
     : QDialog(parent), m_videos(std::move(videos)), m_name(new QLineEdit), m_look(new QComboBox), m_colourButton(new QPushButton),
       m_pickButton(new QPushButton(tr("From a &picture…"))),
-      m_drawing(new QComboBox), m_heightMode(new QComboBox), m_height(new NumberBox),
+      m_drawing(new QComboBox), m_heightMode(new QComboBox), m_height(new NumberBox), m_forward(new NumberBox), m_left(new NumberBox),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel))
 {
     setWindowTitle(tr("Add robot"));
@@ -56,6 +57,19 @@ RobotDialog::RobotDialog(QList<PickableVideo> videos, QWidget *parent)
     form->addRow(tr("&Drawn in"), m_drawing);
     form->addRow(tr("&Height of its top"), m_heightMode);
     form->addRow(QString(), m_height);
+    auto *reference = new QHBoxLayout;
+    for (QDoubleSpinBox *box : {m_forward, m_left}) {
+        box->setRange(-farthestReferenceMm, farthestReferenceMm);
+        box->setDecimals(0);
+        box->setToolTip(tr("From the middle of what the robot covers of the floor; 0 and 0 is the middle itself."));
+        reference->addWidget(box);
+    }
+    m_forward->setSuffix(tr(" mm forward"));
+    m_forward->setAccessibleName(tr("Measured point, forward of the robot's middle"));
+    m_left->setSuffix(tr(" mm left"));
+    m_left->setAccessibleName(tr("Measured point, left of the robot's middle"));
+    form->addRow(tr("&Measured point"), reference);
+    qobject_cast<QLabel *>(form->labelForField(reference))->setBuddy(m_forward);
     auto *layout = new QVBoxLayout(this);
     layout->addLayout(form);
     layout->addWidget(m_buttons);
@@ -103,6 +117,9 @@ void RobotDialog::updateButtons()
     m_colourButton->setEnabled(m_look->currentData().toBool());
     m_pickButton->setEnabled(m_look->currentData().toBool());
     m_height->setEnabled(m_heightMode->currentData().toInt() == static_cast<int>(RobotRecord::Height::Told));
+    const bool hasHeading = m_heightMode->currentData().toInt() != static_cast<int>(RobotRecord::Height::Free);
+    m_forward->setEnabled(hasHeading);
+    m_left->setEnabled(hasHeading);
     m_buttons->button(QDialogButtonBox::Ok)->setEnabled(!m_name->text().trimmed().isEmpty());
 }
 
@@ -117,6 +134,8 @@ void RobotDialog::setRobot(const RobotRecord &robot)
     m_heightMode->setCurrentIndex(m_heightMode->findData(static_cast<int>(robot.heightMode)));
     if (robot.heightM)
         m_height->setValue(toMillimetres(*robot.heightM));
+    m_forward->setValue(toMillimetres(robot.referenceM.x()));
+    m_left->setValue(toMillimetres(robot.referenceM.y()));
     showColour();
     updateButtons();
 }
@@ -131,6 +150,8 @@ RobotRecord RobotDialog::robot() const
     robot.heightMode = static_cast<RobotRecord::Height>(m_heightMode->currentData().toInt());
     if (robot.heightMode == RobotRecord::Height::Told)
         robot.heightM = fromMillimetres(m_height->value());
+    const bool hasHeading = robot.heightMode != RobotRecord::Height::Free;
+    robot.referenceM = hasHeading ? Eigen::Vector2d(fromMillimetres(m_forward->value()), fromMillimetres(m_left->value())) : Eigen::Vector2d::Zero();
     return robot;
 }
 

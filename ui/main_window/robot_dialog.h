@@ -14,7 +14,7 @@ class QPushButton;
 
 namespace odo {
 
-/// Asks what helps to find a robot: name, whether it is known by a colour, height; and in which colour it is drawn.
+/// Asks what helps to find a robot: name, whether it is known by a colour, height; and in which colour it is drawn and which point of it is measured.
 class RobotDialog : public QDialog
 {
     Q_OBJECT
@@ -39,7 +39,7 @@ private:
     RgbColour m_colour{0xd7, 0x23, 0x28};
     QComboBox *m_drawing;
     QComboBox *m_heightMode;
-    QDoubleSpinBox *m_height;
+    QDoubleSpinBox *m_height, *m_forward, *m_left;
     QDialogButtonBox *m_buttons;
 };
 

@@ -8,6 +8,7 @@
 
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -61,6 +62,9 @@ private Q_SLOTS:
                 for (QComboBox *choice : robot.findChildren<QComboBox *>())
                     if (choice->findText(QStringLiteral("sky blue")) >= 0)
                         choice->setCurrentText(QStringLiteral("sky blue"));
+                for (QDoubleSpinBox *box : robot.findChildren<QDoubleSpinBox *>())
+                    if (box->suffix() == QStringLiteral(" mm left"))
+                        box->setValue(-12);
                 robot.findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok)->click();
             }});
             button(dialog, "&Edit…")->click();
@@ -68,6 +72,7 @@ private Q_SLOTS:
         }
         const RobotRecord drawn = *project->robots().find("Green 4");
         QVERIFY(drawn.drawingColour == DrawingColour::SkyBlue);
+        QVERIFY(drawn.referenceM.isApprox(Eigen::Vector2d(0, -0.012)));
         QVERIFY(drawn.colour == after.colour); // it is tracked by what it was
         QCOMPARE(table->item(table->currentRow(), 2)->text(), QStringLiteral("sky blue"));
         button(dialog, "&Delete")->click();

@@ -47,6 +47,8 @@ std::span<const CorePattern> errorsTracking()
         {QT_TRANSLATE_NOOP("CoreWords", "only cameras that are not registered to the floor saw the robot")},
         {QT_TRANSLATE_NOOP("CoreWords", "its height is to be triangulated, but two registered views hardly ever saw it together")},
         {QT_TRANSLATE_NOOP("CoreWords", "add a second view, or give the robot one height")},
+        {QT_TRANSLATE_NOOP("CoreWords", "its reference point lies beside its centre, but its outlines do not tell its heading")},
+        {QT_TRANSLATE_NOOP("CoreWords", "give it the reference point 0,0 and track again")},
         {QT_TRANSLATE_NOOP("CoreWords", "not enough data")},
         {QT_TRANSLATE_NOOP("CoreWords", "of %1 frames %2 give a position that can be used")},
         {QT_TRANSLATE_NOOP("CoreWords", "choose a longer video, or check the robot's colour and the light")},
