@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/silhouette_finder.h"
 
-#include "core/geometry/convex_hull.h"
-#include "core/geometry/support.h"
 #include "core/tracking/compared_window.h"
 #include "core/tracking/light_gain.h"
+#include "core/tracking/silhouette_parts.h"
 
 #include <opencv2/imgproc.hpp>
 
@@ -21,7 +20,6 @@ constexpr int mostSilhouettes = 16;
 constexpr double mostShare = 0.4;          // of the picture that robots take up
 constexpr int edgeReach = 4;               // pixels round one on a region's edge, in which both sides are looked at
 constexpr float half = 0.5F;
-constexpr float edgeSigmaPx = 0.3F, edgeLengthPx = 5, centreSigmaPx = 0.05F;
 
 /// Windows round what differs, which do not overlap.
 std::vector<PixelRect> windowsAround(const cv::Mat1b &hits, const PixelRect &picture)
@@ -204,17 +202,12 @@ void SilhouetteFinder::Impl::measure(const cv::Mat1b &region, const cv::Rect &bo
             inside += 1;
         }
     }
-    const std::vector<Eigen::Vector2d> points = edgePoints(covered);
+    std::vector<Eigen::Vector2d> points = edgePoints(covered);
     if (points.size() < 8)
         return;
-    const std::vector<Eigen::Vector2d> hull = convexHull(points);
-    silhouette.moments = polygonMoments(hull);
-    silhouette.supportPx = supportOf(hull, silhouette.moments.centrePx);
-    silhouette.moments.centrePx += Eigen::Vector2d(w.rect.x0 + part.x, w.rect.y0 + part.y);
-    // An edge is in doubt by some part of a pixel, alike over some pixels of it, and pulls the centre by its distance from it.
-    const double perimeter = 4 * std::sqrt(silhouette.moments.areaPx2);
-    silhouette.centreCovariancePx2 = silhouette.moments.covariancePx2 * (4 * squared(edgeSigmaPx) * edgeLengthPx * perimeter / (silhouette.moments.areaPx2 * silhouette.moments.areaPx2));
-    silhouette.centreCovariancePx2.diagonal().array() += double(squared(centreSigmaPx));
+    for (Eigen::Vector2d &point : points)
+        point += Eigen::Vector2d(w.rect.x0 + part.x, w.rect.y0 + part.y);
+    measureHull(silhouette, std::move(points));
     if (inside > 0)
         silhouette.meanChroma = Chroma(su / inside, sv / inside);
 }

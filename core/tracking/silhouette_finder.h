@@ -14,6 +14,8 @@ namespace odo {
 struct SeenSilhouette
 {
     PixelRect box;
+    std::vector<Eigen::Vector2d> hullPx;
+    int regions = 1; ///< more where it was joined from others (core/tracking/silhouette_parts.h)
     RegionMoments moments; ///< of its convex hull, which is the picture of the convex hull of what is seen
     std::vector<float> supportPx; ///< of the hull about the moments' centre
     Eigen::Matrix2d centreCovariancePx2 = Eigen::Matrix2d::Zero();

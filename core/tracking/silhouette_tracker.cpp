@@ -6,6 +6,7 @@
 #include "core/tracking/moment_ellipse.h"
 #include "core/tracking/motion_predictor.h"
 #include "core/tracking/silhouette_finder.h"
+#include "core/tracking/silhouette_parts.h"
 #include "core/tracking/size_on_floor.h"
 
 #include <algorithm>
@@ -20,6 +21,10 @@ constexpr double mostCost = 2;         // of a silhouette that may be the robot 
 constexpr double areaSigma = 0.35;     // of the area's logarithm, from frame to frame
 constexpr int mostMisses = 15;    // frames
 constexpr double mostLostRatio = 3;    // of the areas of a robot before and after it was lost
+constexpr double mostOfWhole = 0.5;    // of a whole's hull: the share of a part that is a body by itself
+constexpr double mostAlike = 3;        // ratio of the areas of parts that are alike
+constexpr int mostBesideAlike = 10;    // frames, after which they are parts of one robot
+constexpr double scoreOfParts = 0.4;
 constexpr double leastFirstClear = 0.2; // share that cannot be a shadow
 constexpr double shadowShift = 0.3;     // of the radius: by which a shadow may draw the centre
 constexpr double leastSizeDoubt = 0.15; // of the area: what is more moves the centre
@@ -28,6 +33,8 @@ struct Followed
 {
     MotionPredictor predictor;
     AreaExpectation area; ///< 0 before it was ever seen
+    bool isOfParts = false; ///< found as several silhouettes together
+    int besideAlike = 0;    ///< frames in a row in which others like its silhouette stood beside it
     int missed = -1;   ///< frames since it was seen; below 0: it is lost or was never found
 
     bool isFollowing() const { return missed >= 0; }
@@ -36,6 +43,8 @@ struct Followed
 
 double costOf(const Followed &robot, const SeenSilhouette &silhouette, double timeS)
 {
+    if (silhouette.regions > 1 && !robot.isOfParts) // something stands beside it
+        return mostCost;
     const double sinceS = std::max(0.0, timeS - robot.predictor.lastTimeS());
     const double reach = 0.5 * robot.radiusPx() + 4 + 0.5 * sinceS * robot.predictor.velocity().norm() + 2.0 * robot.missed;
     const double away = (silhouette.moments.centrePx - robot.predictor.at(timeS)).norm() / reach;
@@ -48,6 +57,11 @@ bool lies(const SeenSilhouette &silhouette, const Observation &other)
     const Eigen::Vector2d &at = other.ellipse.centrePx;
     const PixelRect &box = silhouette.box;
     return other.found && at.x() >= box.x0 && at.x() < box.x1 && at.y() >= box.y0 && at.y() < box.y1;
+}
+
+bool contains(const PixelRect &outer, const PixelRect &inner)
+{
+    return outer.x0 <= inner.x0 && outer.y0 <= inner.y0 && outer.x1 >= inner.x1 && outer.y1 >= inner.y1;
 }
 
 /// Whether a mean colour is mostly one: parts without a colour only draw it toward grey.
@@ -66,8 +80,11 @@ struct SilhouetteTracker::Impl
     std::vector<Observation> last;
     DuplicateDetector duplicates;
     std::optional<FloorView> floor;
+    std::vector<SeenSilhouette> wholes; ///< of the frame: of parts that are alike
 
+    void takeWholeInstead(Followed &robot, SeenSilhouette &taken) const;
     void assign(const Frame &frame, std::vector<SeenSilhouette> seen, std::span<const SilhouetteCue> cues);
+    void addWholes(std::vector<SeenSilhouette> &seen);
     void accept(Followed &robot, const SeenSilhouette &silhouette, double timeS, Observation &observation);
 };
 
@@ -78,6 +95,7 @@ void SilhouetteTracker::Impl::accept(Followed &robot, const SeenSilhouette &silh
     if (isNew) {
         robot.predictor.start(silhouette.moments.centrePx, timeS);
         robot.area.start(areaPx);
+        robot.isOfParts = silhouette.regions > 1;
     } else {
         robot.predictor.update(silhouette.moments.centrePx, timeS);
     }
@@ -99,15 +117,56 @@ void SilhouetteTracker::Impl::accept(Followed &robot, const SeenSilhouette &silh
         observation.centreCovariancePx2 += Eigen::Matrix2d::Identity() * shift * shift;
     }
     observation.score = std::exp(-0.5 * off * off / (areaSigma * areaSigma));
+    if (robot.isOfParts) // what lies between and beyond them is not seen: its outline tells no solid
+        observation.score *= scoreOfParts;
     robot.area.follow(areaPx, silhouette.touchesBorder);
+}
+
+/// Adds what parts may be together: before them, where they are alike (wheels) and none of them is most of it, for then it is the likelier robot.
+void SilhouetteTracker::Impl::addWholes(std::vector<SeenSilhouette> &seen)
+{
+    wholes.clear();
+    if (robots.size() > 1) // whose parts stand beside those of others
+        return;
+    std::vector<SeenSilhouette> besides;
+    for (const std::vector<std::size_t> &parts : groupsOfParts(seen)) {
+        SeenSilhouette whole = joined(seen, parts);
+        if (floor && isTooLargeForRobot(*floor, whole.box))
+            continue;
+        double largest = 0, smallest = whole.moments.areaPx2;
+        for (const std::size_t part : parts) {
+            largest = std::max(largest, seen[part].moments.areaPx2);
+            smallest = std::min(smallest, seen[part].moments.areaPx2);
+        }
+        const bool isLikely = largest < mostOfWhole * whole.moments.areaPx2 && largest < mostAlike * smallest;
+        (isLikely ? wholes : besides).push_back(std::move(whole));
+    }
+    seen.insert(seen.begin(), wholes.begin(), wholes.end());
+    std::ranges::move(besides, std::back_inserter(seen));
+}
+
+/// What goes along beside others like it is one part of a robot (a wheel), though it was found alone.
+void SilhouetteTracker::Impl::takeWholeInstead(Followed &robot, SeenSilhouette &taken) const
+{
+    const auto whole = std::ranges::find_if(wholes, [&taken](const SeenSilhouette &one) { return contains(one.box, taken.box); });
+    const bool isPart = taken.regions == 1 && whole != wholes.end();
+    robot.besideAlike = isPart ? robot.besideAlike + 1 : 0;
+    if (robot.besideAlike < mostBesideAlike)
+        return;
+    taken = *whole;
+    robot = Followed(); // what was known of it was of a part
 }
 
 void SilhouetteTracker::Impl::assign(const Frame &frame, std::vector<SeenSilhouette> seen, std::span<const SilhouetteCue> cues)
 {
     const double timeS = toSeconds(frame.time);
     const auto take = [&](std::size_t robot, std::size_t silhouette) {
-        accept(robots[robot], seen[silhouette], timeS, last[robot]);
+        SeenSilhouette taken = std::move(seen[silhouette]);
         seen.erase(seen.begin() + std::ptrdiff_t(silhouette));
+        takeWholeInstead(robots[robot], taken);
+        // Its parts, and what it is a part of, are no robots besides.
+        std::erase_if(seen, [&taken](const SeenSilhouette &one) { return !one.box.clipped(taken.box).isEmpty() && (contains(taken.box, one.box) || contains(one.box, taken.box)); });
+        accept(robots[robot], taken, timeS, last[robot]);
     };
     const auto cueOf = [cues](std::size_t robot) { return robot < cues.size() ? cues[robot] : SilhouetteCue(); };
     for (std::size_t r = 0; r < robots.size(); ++r) {
@@ -152,7 +211,7 @@ void SilhouetteTracker::Impl::assign(const Frame &frame, std::vector<SeenSilhoue
 }
 
 SilhouetteTracker::SilhouetteTracker(Background background, std::size_t robots, std::optional<FloorView> floor)
-    : m_impl(new Impl{SilhouetteFinder(std::move(background)), std::vector<Followed>(robots), {}, {}, std::move(floor)})
+    : m_impl(new Impl{SilhouetteFinder(std::move(background)), std::vector<Followed>(robots), {}, {}, std::move(floor), {}})
 {
 }
 
@@ -178,6 +237,7 @@ std::vector<Observation> SilhouetteTracker::track(const Frame &frame, std::span<
                     return true;
                 return std::ranges::any_of(others, [&](const Observation &other) { return lies(one, other); });
             });
+            d.addWholes(seen);
             d.assign(frame, std::move(seen), cues);
         }
     }

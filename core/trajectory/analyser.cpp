@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
 namespace odo {
 
@@ -140,6 +142,29 @@ std::optional<PlacedRobot> placeSolid(const std::vector<ViewTrack> &views,
     return placed;
 }
 
+/// Whole silhouettes that no solid explains show now one part of the robot and now another (it looks like the floor, or like its shadow): the place in them is
+/// hardly better known than they are large.
+void doubtUnexplained(const std::vector<ViewTrack> &views, std::vector<std::vector<Sighting>> &sightings)
+{
+    constexpr double shareOfRadius = 0.7;
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        std::vector<double> radii;
+        for (const Observation &observation : views[v].observations)
+            if (observation.found && !observation.supportPx.empty())
+                radii.push_back(std::sqrt(observation.areaPx / std::numbers::pi));
+        if (radii.empty() || !views[v].floorView)
+            continue;
+        const double radiusPx = *std::ranges::max_element(radii);
+        const Eigen::Vector3d camera = views[v].floorView->cameraInWorld();
+        const double focalPx = views[v].floorView->camera().intrinsics().fxPx;
+        for (Sighting &sighting : sightings[v]) {
+            const Eigen::Vector2d &place = sighting.place.pointInWorld;
+            const double awayM = (camera - Eigen::Vector3d(place.x(), place.y(), 0)).norm(), doubtM = shareOfRadius * radiusPx * awayM / focalPx;
+            sighting.place.calibrationCovariance += Eigen::Matrix2d::Identity() * doubtM * doubtM;
+        }
+    }
+}
+
 /// One height for the whole run: told, or estimated from the views, or (from one view alone) unknown.
 Result<PlacedRobot> placeAtOneHeight(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,
                                      const RobotShape &shape)
@@ -155,8 +180,10 @@ Result<PlacedRobot> placeAtOneHeight(const std::vector<ViewTrack> &views, const 
                     "give it the reference point 0,0 and track again");
     const PlaneChoice plane = choosePlane(views, times, shape);
     const bool known = plane.heightM > 0;
-    return PlacedRobot{known ? lookAtPlane(views, times, plane.planeM) : lookFromAllViews(views, times, 0), plane.sigmaM,
-            plane.heightM, plane.estimated, {}};
+    PlacedRobot placed{known ? lookAtPlane(views, times, plane.planeM) : lookFromAllViews(views, times, 0), plane.sigmaM,
+                       plane.heightM, plane.estimated, {}};
+    doubtUnexplained(views, placed.views);
+    return placed;
 }
 
 Result<PlacedRobot> place(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,

@@ -3,6 +3,7 @@
 
 #include "core/trajectory/axis_track.h"
 #include "core/trajectory/body_direction.h"
+#include "core/trajectory/coloured_part.h"
 #include "core/trajectory/level_fit.h"
 #include "core/trajectory/shape_estimation.h"
 
@@ -13,13 +14,12 @@ namespace odo {
 
 namespace {
 
-constexpr double simpleEnough = 1.5; // misfit of a box that needs no other solid
 constexpr double worstLevelMisfit = 3; // beyond it the outlines are not those of one solid
 constexpr double taper = 0.1, topShift = 0.15; // of guesses whose upper part sits to the front or to the rear
 
 // What the same errors of all outlines (shadows at the foot, sides that look like the floor) leave of the place in a solid that is fitted to them, as a share of
 // its length: known robots come back so (tests/workflow/tst_any_look). Across the heading most robots are alike on both sides.
-constexpr double placeAlong = 0.0125, placeAcross = 0.005;
+constexpr double placeAlong = 0.008, placeAcross = 0.005;
 
 using Axes = std::vector<std::vector<BodyAxis>>;
 
@@ -130,6 +130,8 @@ std::optional<FoundSolid> findSolidOfLevels(const std::vector<ViewTrack> &views,
 
 double explainedShare(const std::vector<ViewTrack> &views, const RobotShape &told)
 {
+    if (told.heightM && isMarkAtTop(views, *told.heightM)) // which goes without a solid
+        return 1;
     const auto solid = findSolid(views, told);
     double all = 0, explained = 0;
     for (std::size_t v = 0; solid && v < solid->seen.size(); ++v) {
@@ -144,7 +146,7 @@ double explainedShare(const std::vector<ViewTrack> &views, const RobotShape &tol
 std::optional<FoundSolid> findSolid(const std::vector<ViewTrack> &views, const RobotShape &told)
 {
     const auto box = estimateShape(views, told);
-    if (haveSupport(views) && (!box || box->misfit > simpleEnough)) {
+    if (haveSupport(views)) {
         // A box that is only where the search begins need not have the size of the robot's whole outline.
         const auto guess = estimateShape(views, {});
         if (auto levels = guess ? findSolidOfLevels(views, told, placedSolid(views, *guess)) : std::nullopt)

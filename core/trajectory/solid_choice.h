@@ -23,7 +23,7 @@ struct FoundSolid
 /// elsewhere goes into the doubt about its place. nullopt: none explains them. Pure.
 std::optional<FoundSolid> findSolid(const std::vector<ViewTrack> &views, const RobotShape &told);
 
-/// The share of the outlines, but for those that the picture's edge cuts, that are the solid's; 0 where no solid was found.
+/// The share of the outlines, but for those that the picture's edge cuts, that are the solid's; 0 where no solid was found, 1 for a mark on top of a robot of a told height.
 double explainedShare(const std::vector<ViewTrack> &views, const RobotShape &told);
 
 } // namespace odo

@@ -8,6 +8,7 @@
 #include "core/tracking/robot_tracker.h"
 #include "core/trajectory/solid_choice.h"
 #include "core/video/frame_stream.h"
+#include "core/workflow/track_warnings.h"
 #include "core/workflow/view_background.h"
 
 #include <atomic>
@@ -177,12 +178,14 @@ Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &v
                                             const std::vector<RobotRecord> &robots, const JobControl &control,
                                             WithLight light)
 {
-    constexpr double mostlyExplained = 0.95, clearlyMore = 0.03;
+    constexpr double mostlyExplained = 0.95, clearlyMore = 0.03, farMore = 0.3;
     std::vector<TrackTarget> targets = targetsOf(robots);
     auto tracked = trackTargets(views, robots, targets, control, firstPass, light);
     std::vector<std::pair<std::size_t, double>> partly; // robots, and how much is explained of them
     for (std::size_t r = 0; tracked && r < robots.size(); ++r) {
         if (!isFoundByColour(targets[r]) || robots[r].heightMode == RobotRecord::Height::Free || !isEverSeen(views, *tracked, r))
+            continue;
+        if (floorColourOf(robots[r], {}, views, *tracked, r)) // which does not tell it from anything
             continue;
         const double share = explainedShareOf(views, *tracked, robots[r], r);
         if (share >= mostlyExplained)
@@ -196,7 +199,9 @@ Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &v
     if (!whole)
         return whole;
     for (const auto &[r, share] : partly) {
-        if (explainedShareOf(views, *whole, robots[r], r) < share + clearlyMore)
+        // Where a board hides the robot for a while neither is explained, and its whole outline is hidden more often.
+        const double explained = explainedShareOf(views, *whole, robots[r], r);
+        if (explained < share + (explained >= mostlyExplained ? clearlyMore : farMore))
             continue;
         for (std::size_t v = 0; v < views.size(); ++v)
             (*tracked)[v].series[r] = std::move((*whole)[v].series[r]);

@@ -164,6 +164,43 @@ private Q_SLOTS:
         QVERIFY(needsBackground({{"Red 1", RgbColour{200, 40, 40}, true}}) && !needsBackground({{"Red 1", RgbColour{200, 40, 40}}}));
     }
 
+    /// A robot of which only the wheels differ from the floor is not one of its wheels.
+    void partsThatAreAlikeAreOneRobot()
+    {
+        const Painter floor = texturedFloor(format);
+        const auto tracker = RobotTracker::create({{"Any 1", {}}}, learned(floor));
+        std::mt19937 random(10);
+        int wrong = 0;
+        for (std::int64_t i = 0; i < 30; ++i) {
+            Painter picture = floor;
+            const Eigen::Vector2d at(60 + 5.0 * double(i), 150);
+            for (const double x : {0.0, 50.0})
+                for (const double y : {0.0, 34.0})
+                    picture.rectangle(at + Eigen::Vector2d(x, y), at + Eigen::Vector2d(x + 18, y + 14), {25, 25, 25});
+            const Observation seen = (*tracker)->track(picture.frame(i, double(i) / 30, 2, random)).front();
+            wrong += !seen.found || (seen.ellipse.centrePx - (at + Eigen::Vector2d(34, 24))).norm() > 1 || std::abs(seen.areaPx / (68 * 48) - 1) > 0.05;
+        }
+        QCOMPARE(wrong, 0);
+    }
+
+    /// A smaller thing that passes is no part of it.
+    void whatPassesIsNoPartOfIt()
+    {
+        const Painter floor = texturedFloor(format);
+        const auto tracker = RobotTracker::create({{"Any 1", {}}}, learned(floor));
+        std::mt19937 random(11);
+        int wrong = 0;
+        for (std::int64_t i = 0; i < 60; ++i) {
+            Painter picture = floor;
+            const double x = 40 + 5.0 * double(i);
+            picture.rectangle({x, 150}, {x + 60, 200}, {240, 240, 240});
+            picture.rectangle({400 - x, 220}, {418 - x, 238}, {230, 120, 30});
+            const Observation seen = (*tracker)->track(picture.frame(i, double(i) / 30, 2, random)).front();
+            wrong += !seen.found || (seen.ellipse.centrePx - Eigen::Vector2d(x + 30, 175)).norm() > 1;
+        }
+        QCOMPARE(wrong, 0);
+    }
+
     void withoutABackgroundNothingIsFound()
     {
         const auto tracker = RobotTracker::create({{"Any 1", {}}}, {});

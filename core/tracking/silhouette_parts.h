@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tracking/silhouette_finder.h"
+
+#include <vector>
+
+namespace odo {
+
+/// Takes the convex hull of points of a silhouette's edge, and what is measured of it.
+void measureHull(SeenSilhouette &silhouette, std::vector<Eigen::Vector2d> edgePoints);
+
+/// Silhouettes that may be parts of one body, of which what lies between looks like the floor: those that are so near one another for their size, in groups of two
+/// or more, as indices. Pure.
+std::vector<std::vector<std::size_t>> groupsOfParts(const std::vector<SeenSilhouette> &seen);
+
+/// The silhouette whose hull is that of some parts together.
+SeenSilhouette joined(const std::vector<SeenSilhouette> &seen, const std::vector<std::size_t> &parts);
+
+} // namespace odo

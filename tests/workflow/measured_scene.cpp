@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/workflow/measured_scene.h"
+
+#include "core/simulation/renderer.h"
+#include "core/video/video_reader.h"
+#include "core/workflow/view_tracking.h"
+
+#include <QTemporaryDir>
+#include <cmath>
+
+namespace odo::test {
+
+namespace {
+
+SceneFigures compared(const Profile &profile, const SimulatedScene &scene)
+{
+    SceneFigures figures;
+    double count = 0;
+    for (std::size_t i = 0; i < profile.points.size(); ++i) {
+        figures.foundShare += profile.samples[i].position.has_value() / double(profile.points.size());
+        const ProfilePoint &point = profile.points[i];
+        if (!point.valid)
+            continue;
+        const MotionState truth = scene.robots.front().motion->at(sceneTimeOfStamp(scene, 0, profile.samples[i].time));
+        const Eigen::Vector2d off = point.position - truth.position;
+        figures.rmsM += off.squaredNorm();
+        figures.velocityRms += (point.velocity - truth.velocity).squaredNorm();
+        figures.accelerationRms += (point.acceleration - truth.acceleration).squaredNorm();
+        figures.insideShare += (std::abs(off.x()) < 1.96 * point.sigmaXM) + (std::abs(off.y()) < 1.96 * point.sigmaYM);
+        count += 1;
+    }
+    figures.rmsM = std::sqrt(figures.rmsM / count);
+    figures.velocityRms = std::sqrt(figures.velocityRms / count);
+    figures.accelerationRms = std::sqrt(figures.accelerationRms / count);
+    figures.insideShare /= 2 * count;
+    figures.spikes = int(profile.spikes.size());
+    return figures;
+}
+
+} // namespace
+
+QString SceneFigures::words() const
+{
+    return QStringLiteral("found %1, %2 mm, %3 inside, %4 mm/s, %5 mm/s2, %6 spikes")
+        .arg(foundShare, 0, 'f', 3).arg(1e3 * rmsM, 0, 'f', 2).arg(insideShare, 0, 'f', 2).arg(1e3 * velocityRms, 0, 'f', 1).arg(1e3 * accelerationRms, 0, 'f', 0).arg(spikes);
+}
+
+Result<SceneFigures> measuredScene(const SimulatedScene &scene, const std::optional<RgbColour> &colour)
+{
+    const QTemporaryDir folder;
+    std::vector<RegisteredView> views;
+    for (std::size_t camera = 0; camera < scene.cameras.size(); ++camera) {
+        RegisteredView view;
+        view.file = folder.filePath(QString::number(camera) + QStringLiteral(".mp4")).toStdString();
+        if (auto rendered = renderVideo(scene, int(camera), view.file, {}, {}); !rendered)
+            return tl::unexpected(rendered.error());
+        const auto reader = VideoReader::open(view.file);
+        if (!reader)
+            return tl::unexpected(reader.error());
+        view.recording.cameraName = scene.cameras[camera].name;
+        view.recording.frameTimes = (*reader)->info().frameTimes;
+        view.recording.startOffsetS = scene.cameras[camera].startOffsetS - scene.cameras[0].startOffsetS;
+        view.floorView = scene.cameras[camera].view;
+        views.push_back(std::move(view));
+    }
+    RobotRecord robot;
+    robot.name = scene.robots.front().name;
+    robot.colour = colour;
+    auto tracked = trackViews(views, {robot}, {});
+    if (!tracked)
+        return tl::unexpected(tracked.error());
+    const auto profile = analyse(takeViewTracks(views, *tracked, 0), shapeOf(robot), {});
+    if (!profile)
+        return tl::unexpected(profile.error());
+    return compared(*profile, scene);
+}
+
+} // namespace odo::test

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/simulation/scene.h"
+
+#include <QString>
+
+namespace odo::test {
+
+/// What was measured of a scene's first robot, against the truth.
+struct SceneFigures
+{
+    double foundShare = 0;  ///< of the first view's frames
+    double rmsM = 0;
+    double insideShare = 0; ///< of the coordinates that the stated 95 % hold
+    double velocityRms = 0, accelerationRms = 0;
+    int spikes = 0;
+
+    QString words() const;
+};
+
+/// Renders the scene's videos, tracks and analyses them by cameras that are known exactly. colour: told, or none.
+Result<SceneFigures> measuredScene(const SimulatedScene &scene, const std::optional<RgbColour> &colour = {});
+
+} // namespace odo::test
