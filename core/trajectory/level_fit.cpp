@@ -17,7 +17,6 @@ namespace {
 
 constexpr std::size_t mostLevelTimes = 40, leastLevelTimes = 12;
 constexpr double timesThatDiffer = 8; // as independentTimes of a box: more ways are seen, for more of the form is asked for
-constexpr double supportSigmaPx = 0.5;
 constexpr double likelyScale = 0.5;       // σ of a level's size against the box's, of the logarithm
 constexpr double likelyShift = 0.15;      // σ of a level's middle along the heading against the box's, in lengths of the box
 constexpr double likelyLean = 0.02;       // and across it: most robots are as wide to the left as to the right
@@ -81,11 +80,7 @@ struct LevelResidual
         std::array<T, supportDirections> reach;
         if (!reachOfLevels(*outline.view, levelsOf(form), form[Roundness], pose, reach))
             return false;
-        for (std::size_t k = 0; k < supportDirections; ++k) {
-            const Eigen::Vector2d direction = supportDirection(k);
-            const double seen = double(outline.supportPx[k]) + direction.dot(outline.moments.centrePx);
-            residual[k] = limitedDifference(T((seen - form[DrawnWider] - form[DrawnLower] * direction.y() - reach[k]) / supportSigmaPx));
-        }
+        reachDifferences(outline.supportPx, outline.moments.centrePx, form[DrawnWider], form[DrawnLower], reach, residual);
         return true;
     }
 };

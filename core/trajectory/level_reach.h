@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace odo {
 
@@ -84,6 +85,22 @@ T limitedDifference(const T &sigmas)
         return sigmas;
     const T far = usual * sqrt(log(1.0 + sigmas * sigmas / (usual * usual)));
     return sigmas < 0.0 ? T(-far) : far;
+}
+
+/// The σ of how far an outline was seen to reach in a direction.
+constexpr double supportSigmaPx = 0.5;
+
+/// How far an outline was seen to reach in each direction against how far a solid's reaches, over the σ and limited. support: about the centre. widerPx,
+/// lowerPx: by how much all outlines are drawn too wide and too far down.
+template <class T>
+void reachDifferences(const std::vector<float> &support, const Eigen::Vector2d &centrePx, const T &widerPx, const T &lowerPx,
+                      const std::array<T, supportDirections> &reach, T *differences)
+{
+    for (std::size_t k = 0; k < supportDirections; ++k) {
+        const Eigen::Vector2d direction = supportDirection(k);
+        const double seen = double(support[k]) + direction.dot(centrePx);
+        differences[k] = limitedDifference(T((seen - widerPx - lowerPx * direction.y() - reach[k]) / supportSigmaPx));
+    }
 }
 
 } // namespace odo

@@ -145,13 +145,13 @@ double explainedShare(const std::vector<ViewTrack> &views, const RobotShape &tol
 
 std::optional<FoundSolid> findSolid(const std::vector<ViewTrack> &views, const RobotShape &told)
 {
-    const auto box = estimateShape(views, told);
     if (haveSupport(views)) {
         // A box that is only where the search begins need not have the size of the robot's whole outline.
         const auto guess = estimateShape(views, {});
         if (auto levels = guess ? findSolidOfLevels(views, told, placedSolid(views, *guess)) : std::nullopt)
             return levels;
     }
+    const auto box = estimateShape(views, told);
     if (!box || box->misfit > worstShapeMisfit)
         return std::nullopt;
     PlacedSolid placed = placedSolid(views, *box);

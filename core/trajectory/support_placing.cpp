@@ -12,7 +12,6 @@ namespace odo {
 
 namespace {
 
-constexpr double supportSigmaPx = 0.5;
 constexpr double leastAxisSigmaRad = 0.01;
 
 /// Of x, y and heading: the support against that seen, and the heading against the axis.
@@ -35,10 +34,7 @@ struct SupportDifference
         std::array<T, supportDirections> reach;
         if (!reachOfLevels(view, levels, T(shape.roundShare), pose, reach))
             return false;
-        for (std::size_t k = 0; k < supportDirections; ++k) {
-            const double seen = double(observation.supportPx[k]) + supportDirection(k).dot(observation.ellipse.centrePx);
-            residual[k] = limitedDifference(T((seen - bias.widerPx - bias.lowerPx * supportDirection(k).y() - reach[k]) / supportSigmaPx));
-        }
+        reachDifferences(observation.supportPx, observation.ellipse.centrePx, T(bias.widerPx), T(bias.lowerPx), reach, residual);
         residual[supportDirections] = (pose[2] - axis.angleRad) / std::max(axis.sigmaRad, leastAxisSigmaRad);
         return true;
     }
