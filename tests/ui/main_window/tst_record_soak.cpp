@@ -18,6 +18,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTextStream>
+#include <QThread>
 #include <algorithm>
 #include <filesystem>
 #include <malloc.h>
@@ -169,7 +170,8 @@ void TestRecordSoak::whatIsHeldStaysAsItIs()
     };
     const std::size_t middle = third, last = after.size() - third;
     QCOMPARE_LE(least(last, &Held::files), least(middle, &Held::files));
-    QCOMPARE_LE(least(last, &Held::threads), least(middle, &Held::threads));
+    // OpenCV's pool starts a worker for each further core when it first needs one, at some trial or other.
+    QCOMPARE_LE(least(last, &Held::threads), least(middle, &Held::threads) + QThread::idealThreadCount() - 1);
     QCOMPARE_LE(least(last, &Held::usedMb), least(middle, &Held::usedMb) + pictureMb);
     // What lies between the blocks in use comes to rest after some ten trials only: 5 % is what is asked of a
     // long session.

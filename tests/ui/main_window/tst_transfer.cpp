@@ -57,12 +57,13 @@ private:
     {
         test::run(*m_window, test::actionOf(*m_window, action), answers);
     }
-    /// What was found is asked about when the search has ended.
+    /// What was found is asked about when the search has ended; returns when what was chosen is done.
     void answerStrays(const Answer &answer)
     {
         const Person person({answer});
         test::actionOf(*m_window, "Find stray files…")->trigger();
         QTRY_VERIFY(person.isDone());
+        QTRY_VERIFY(!m_window->workspace().isBusy());
     }
     std::size_t lostVideos() const;
 
@@ -212,11 +213,10 @@ void TestTransfer::strayFilesBecomeTrialsOrGo()
                  qPrintable(box.detailedText()));
         pressButton(QStringLiteral("Add videos as trials"))(dialog);
     });
-    QTRY_VERIFY(project.trials().find("recovered: lap").has_value());
-    QTRY_VERIFY(!m_window->workspace().isBusy());
+    QVERIFY2(project.trials().find("recovered: lap").has_value(), qPrintable(message()));
     QVERIFY2(message().startsWith(QStringLiteral("1 trial")), qPrintable(message()));
     answerStrays(pressButton(QStringLiteral("Remove files")));
-    QTRY_VERIFY(!media.exists(QStringLiteral("broken_A.mkv")));
+    QVERIFY2(!media.exists(QStringLiteral("broken_A.mkv")), qPrintable(message()));
     QVERIFY(notes.exists());
     QVERIFY(media.exists(QStringLiteral("lap_A.mkv")));
 }
