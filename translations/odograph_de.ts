@@ -6599,6 +6599,14 @@
         <source>give it the reference point 0,0 and track again</source>
         <translation>geben Sie ihm den Bezugspunkt 0,0 und verfolgen Sie ihn erneut</translation>
     </message>
+    <message>
+        <source>another sample was judged by hand while this one was analysed</source>
+        <translation>ein anderer Messpunkt wurde von Hand beurteilt, während dieser ausgewertet wurde</translation>
+    </message>
+    <message>
+        <source>say it again for frame %1</source>
+        <translation>geben Sie es für Bild %1 noch einmal an</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

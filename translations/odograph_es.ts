@@ -6599,6 +6599,14 @@
         <source>give it the reference point 0,0 and track again</source>
         <translation>dele el punto de referencia 0,0 y vuelva a seguirlo</translation>
     </message>
+    <message>
+        <source>another sample was judged by hand while this one was analysed</source>
+        <translation>otra muestra se juzgó a mano mientras se analizaba esta</translation>
+    </message>
+    <message>
+        <source>say it again for frame %1</source>
+        <translation>indíquelo otra vez para el fotograma %1</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6599,6 +6599,14 @@
         <source>give it the reference point 0,0 and track again</source>
         <translation>donnez-lui le point de référence 0,0 et suivez-le à nouveau</translation>
     </message>
+    <message>
+        <source>another sample was judged by hand while this one was analysed</source>
+        <translation>un autre échantillon a été jugé à la main pendant l’analyse de celui-ci</translation>
+    </message>
+    <message>
+        <source>say it again for frame %1</source>
+        <translation>indiquez-le de nouveau pour l’image %1</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6597,6 +6597,14 @@
         <source>give it the reference point 0,0 and track again</source>
         <translation>기준점을 0,0으로 하고 다시 추적하십시오</translation>
     </message>
+    <message>
+        <source>another sample was judged by hand while this one was analysed</source>
+        <translation>이 표본을 분석하는 동안 다른 표본이 수동으로 판정되었습니다</translation>
+    </message>
+    <message>
+        <source>say it again for frame %1</source>
+        <translation>프레임 %1에 대해 다시 지정하십시오</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

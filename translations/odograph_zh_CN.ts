@@ -6597,6 +6597,14 @@
         <source>give it the reference point 0,0 and track again</source>
         <translation>请把参考点设为 0,0 后重新跟踪</translation>
     </message>
+    <message>
+        <source>another sample was judged by hand while this one was analysed</source>
+        <translation>分析此样本时，另一个样本被手动判定</translation>
+    </message>
+    <message>
+        <source>say it again for frame %1</source>
+        <translation>请对第 %1 帧再指定一次</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -140,11 +140,28 @@ void checkRegistration(Project &project, const CameraRecord &camera, std::vector
                             "camera '" + camera.name + "'", restoreFigures + ", or register the camera again"});
 }
 
+/// That what is in force of a camera is its own. one: "calibration" or "registration", of that table of revisions.
+Result<void> checkChoices(const ProjectConnection &connection, const char *table, const std::string &one, std::vector<ProjectProblem> &problems)
+{
+    Statement choices(connection, QStringLiteral("SELECT camera.name, chosen.id, owner.name FROM camera JOIN %1 AS chosen ON chosen.id=camera.%1_id "
+                                                 "JOIN camera AS owner ON owner.id=chosen.camera_id WHERE owner.id<>camera.id")
+                                      .arg(QLatin1String(table)));
+    return choices.eachRow([&](const Statement &row) -> Result<void> {
+        problems.push_back({one + " " + std::to_string(row.integer(1)) + " was chosen for it, which is camera '" + row.name(2) + "'s; its newest own one is used",
+                            "camera '" + row.name(0) + "'", "choose one of its own (odograph revisions P.odo CAMERA --use), or restore the project from a backup copy"});
+        return {};
+    });
+}
+
 } // namespace
 
 Result<void> checkDerivedFigures(Project &project, const ProjectConnection &connection, std::vector<ProjectProblem> &problems)
 {
     if (auto checked = checkTrials(connection, problems); !checked)
+        return checked;
+    if (auto checked = checkChoices(connection, "intrinsics", "calibration", problems); !checked)
+        return checked;
+    if (auto checked = checkChoices(connection, "registration", "registration", problems); !checked)
         return checked;
     const auto cameras = project.cameras().all();
     if (!cameras)

@@ -10,7 +10,8 @@
 namespace odo {
 
 // Of a camera's calibrations, and likewise of its registrations, every revision stays; the newest is in force
-// unless a person has chosen another one. table: "intrinsics" or "registration", whose rows have a camera_id,
+// unless a person has chosen another one. A choice of another camera's, which only a hand in the database can make, is
+// none; checkDerivedFigures names it. table: "intrinsics" or "registration", whose rows have a camera_id,
 // and for which camera has a column that names the chosen one. columns: a SELECT up to its WHERE. On the
 // project's thread.
 
@@ -24,8 +25,8 @@ Result<std::optional<Record>> currentRevision(const ProjectConnection &connectio
                                               const char *table, RecordId camera, RowReader<Record> read)
 {
     Statement select(connection,
-                     columns + QStringLiteral("WHERE id=COALESCE((SELECT %1_id FROM camera WHERE id=?), "
-                                              "(SELECT MAX(id) FROM %1 WHERE camera_id=?))")
+                     columns + QStringLiteral("WHERE id=COALESCE((SELECT chosen.id FROM camera JOIN %1 AS chosen ON chosen.id=camera.%1_id "
+                                              "AND chosen.camera_id=camera.id WHERE camera.id=?), (SELECT MAX(id) FROM %1 WHERE camera_id=?))")
                                    .arg(QLatin1String(table)));
     const auto found = select.bind(camera).bind(camera).firstRow();
     if (!found)

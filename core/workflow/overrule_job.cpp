@@ -85,18 +85,19 @@ Result<void> OverruleJob::prepare(Project &project)
     const auto before = project.trials().overrules(trial->id, analysis->robot);
     if (!before)
         return tl::unexpected(before.error());
+    m_before = *before;
     m_trial = trial->id;
     m_robot = analysis->robot;
     m_outcome.robot = analysis->robotName;
     m_outcome.frame = sample->frame;
     m_outcome.time = sample->time;
     if (m_request.word == OverruleRequest::Word::Clear) {
-        m_overrules = withoutOverrule(*before, sample->frame);
-        if (m_overrules.size() == before->size())
+        m_overrules = withoutOverrule(m_before, sample->frame);
+        if (m_overrules.size() == m_before.size())
             return fail(ErrorCode::NotFound, placeText(m_request) + " of trial '" + m_request.trial + "'",
                         "nothing was said by hand there", "see the flags by_hand in odograph export");
     } else {
-        m_overrules = withOverrule(*before, {sample->frame, m_request.word == OverruleRequest::Word::Spike});
+        m_overrules = withOverrule(m_before, {sample->frame, m_request.word == OverruleRequest::Word::Spike});
     }
     TrackSettings settings;
     settings.robots = {m_outcome.robot};
@@ -126,6 +127,12 @@ Result<void> OverruleJob::commit(Project &project)
         return "leave " + frame + " to the program";
     };
     auto stored = project.change(words(), [&]() -> Result<void> {
+        const auto now = project.trials().overrules(m_trial, m_robot);
+        if (!now)
+            return tl::unexpected(now.error());
+        if (*now != m_before)
+            return fail(ErrorCode::InvalidInput, placeText(m_request) + " of trial '" + m_request.trial + "'",
+                        "another sample was judged by hand while this one was analysed", "say it again for frame " + std::to_string(m_outcome.frame));
         if (auto said = project.trials().setOverrules(m_trial, m_robot, m_overrules); !said)
             return said;
         return m_analysis->commit(project);

@@ -37,7 +37,8 @@ struct OverruleOutcome
 };
 
 /// Stores a person's word on a sample and makes a new analysis with it, out of the stored observations; older analyses
-/// stay. Errors: the robot was not tracked, no frame at that time, nothing measured there, nothing to take back.
+/// stay. Errors: the robot was not tracked, no frame at that time, nothing measured there, nothing to take back, another sample was judged
+/// between prepare and commit.
 class OverruleJob : public Job
 {
 public:
@@ -52,7 +53,7 @@ public:
 private:
     OverruleRequest m_request;
     RecordId m_trial = 0, m_robot = 0;
-    std::vector<Overrule> m_overrules;
+    std::vector<Overrule> m_before, m_overrules;
     std::unique_ptr<TrackJob> m_analysis;
     OverruleOutcome m_outcome;
 };

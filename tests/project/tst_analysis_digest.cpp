@@ -145,6 +145,23 @@ private Q_SLOTS:
             QCOMPARE(proof(m_filled.trial), isShown ? Proof::Broken : Proof::Holds);
     }
 
+    /// It would give positions on another floor. It is not used, and named.
+    void anotherCamerasRevisionIsNeverInForce()
+    {
+        const RecordId other = m_project->cameras().find("Б")->id;
+        byHand(QStringLiteral("UPDATE camera SET registration_id=1, intrinsics_id=1 WHERE id=%1").arg(other));
+        QVERIFY(!m_project->cameras().currentRegistration(other).value());
+        QVERIFY(!m_project->cameras().currentIntrinsics(other).value());
+        QStringList problems;
+        const auto all = m_project->check(false);
+        for (const ProjectProblem &problem : *all) {
+            if (problem.where == "camera 'Б'")
+                problems << QString::fromStdString(problem.what);
+        }
+        QCOMPARE(problems, QStringList({QStringLiteral("calibration 1 was chosen for it, which is camera 'A's; its newest own one is used"),
+                                        QStringLiteral("registration 1 was chosen for it, which is camera 'A's; its newest own one is used")}));
+    }
+
     void aChangedDurationIsNamed()
     {
         imported("lap", 200);

@@ -45,6 +45,29 @@ private Q_SLOTS:
         QVERIFY(analyses && !analyses->front().profile.samples.empty());
     }
 
+    /// Two windows, or a window and a command: neither word is lost.
+    void aWordSaidMeanwhileStays()
+    {
+        const QTemporaryDir folder;
+        const auto project = openStoredExample(folder.path().toStdString());
+        const auto request = [](std::int64_t frame) {
+            OverruleRequest made;
+            made.trial = "Trial 1";
+            made.frame = frame;
+            return made;
+        };
+        OverruleJob slow(request(12)), quick(request(14));
+        QVERIFY(slow.prepare(*project) && slow.run(JobControl()));
+        const auto outside = Project::openAgain(project->file(), Project::Access::ReadWrite).value();
+        QVERIFY(runToEnd(quick, *outside, JobControl()));
+        const QStringList before = contentOf(*project);
+        const auto stored = slow.commit(*project);
+        QVERIFY(!stored);
+        QCOMPARE(QString::fromStdString(stored.error().message()),
+                 QStringLiteral("frame 12 of trial 'Trial 1': another sample was judged by hand while this one was analysed; say it again for frame 12"));
+        QCOMPARE(contentOf(*project), before);
+    }
+
     /// Another program, or our own tracking, that analysed the robot again: what it shows would stay, whatever Undone says.
     void isNotTakenBackUnderALaterAnalysis_data()
     {

@@ -165,6 +165,8 @@ std::span<const CorePattern> errorsTracking()
         {QT_TRANSLATE_NOOP("CoreWords", "choose a time from %1 s to %2 s")},
         {QT_TRANSLATE_NOOP("CoreWords", "choose a frame with a measurement")},
         {QT_TRANSLATE_NOOP("CoreWords", "nothing was said by hand there")},
+        {QT_TRANSLATE_NOOP("CoreWords", "another sample was judged by hand while this one was analysed")},
+        {QT_TRANSLATE_NOOP("CoreWords", "say it again for frame %1")},
         {QT_TRANSLATE_NOOP("CoreWords", "see the flags by_hand in odograph export")},
         {QT_TRANSLATE_NOOP("CoreWords", "tracking")},
         {QT_TRANSLATE_NOOP("CoreWords", "add one with")},
