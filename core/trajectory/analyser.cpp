@@ -134,8 +134,8 @@ std::optional<PlacedRobot> placeSolid(const std::vector<ViewTrack> &views,
                                                   : std::vector<Sighting>(times.size()));
         solid->seen[v] = {};
     }
-    const double sigmaTopM = told.heightM ? toldHeightSigmaM : solid->sigmaTopM;
-    placed.planeSigmaM = sigmaTopM * middleHeightM(solid->shape) / solid->shape.topM;
+    const double ofTop = told.heightM ? toldHeightSigmaM * middleHeightM(solid->shape) / solid->shape.topM : 0;
+    placed.planeSigmaM = std::hypot(ofTop, solid->sigmaMiddleM);
     placed.heightM = solid->shape.topM;
     placed.estimated = !told.heightM;
     placed.clearanceM = solid->shape.baseM;

@@ -25,6 +25,9 @@ constexpr double impossible = 1e3; // a residual, where the solid would lie behi
 constexpr double guessM = 0.2, guessHeightM = 0.1;
 // A simpler solid is taken unless another explains the outlines so much better.
 constexpr double clearlyBetter = 0.7;
+constexpr double likelyBaseShare = 0.1;
+constexpr double likelyClearanceM = 0.015; // of most classroom robots; it matters only where one view alone saw the robot, whose size was not told
+constexpr double clearBaseGain = 2; // of χ²/2, by which a clearance of two of its σ is better than none
 constexpr double leastKnownSigmaM = 0.02; // of the top: else the solid is one of many that look alike
 constexpr double leastSizeM = 0.01, mostSizeM = 3;
 constexpr int startAngles = 18;
@@ -44,7 +47,7 @@ SolidShape solidOf(const double *form, SolidShape::Form kind)
     solid.lengthM = sizeM(LogLength);
     solid.widthM = kind == SolidShape::Form::Cylinder ? solid.lengthM : sizeM(LogWidth);
     solid.topM = sizeM(LogTop);
-    solid.baseM = solid.topM * std::clamp(form[BaseShare], 0.0, 1.0);
+    solid.baseM = solid.topM * std::min(form[BaseShare], 1.0); // derivatives at the floor look below it
     return solid;
 }
 
@@ -71,10 +74,12 @@ struct OutlineResidual
 struct FormPrior
 {
     Form expected;
+    double likelyClearanceM;
     bool operator()(const double *form, double *residual) const
     {
         for (int i : {LogLength, LogWidth, LogTop})
             residual[i] = form[i] - expected[static_cast<std::size_t>(i)];
+        residual[BaseShare] = form[BaseShare] * std::exp(form[LogTop]) / likelyClearanceM;
         return true;
     }
 };
@@ -84,12 +89,15 @@ struct ShapeCandidate
     SolidShape::Form kind = SolidShape::Form::Box;
     Form form{};
     std::vector<int> constant; ///< indices of the form that stay
+    double likelyClearanceM = HUGE_VAL;
 };
 
 struct ShapeFit
 {
     SolidShape solid;
-    double misfit = HUGE_VAL, sigmaTopM = 0;
+    Form form{};
+    double misfit = HUGE_VAL, sigmaTopM = 0, sigmaMiddleM = 0;
+    double cost = HUGE_VAL; ///< χ²/2 of what the outlines tell independently
 };
 
 /// The size a solid of the guessed height must have for its silhouette's area to be the one seen.
@@ -155,7 +163,7 @@ std::optional<ShapeFit> fitSolid(const std::vector<CommonOutlines> &times, const
                                 new ceres::SubsetManifold(3, {2})); // it looks alike from all sides
     }
     problem.AddResidualBlock(
-        new ceres::NumericDiffCostFunction<FormPrior, ceres::CENTRAL, 3, 4>(new FormPrior{candidate.form}),
+        new ceres::NumericDiffCostFunction<FormPrior, ceres::CENTRAL, 4, 4>(new FormPrior{candidate.form, candidate.likelyClearanceM}),
         nullptr, form.data());
     if (candidate.constant.size() == form.size())
         problem.SetParameterBlockConstant(form.data());
@@ -177,23 +185,26 @@ std::optional<ShapeFit> fitSolid(const std::vector<CommonOutlines> &times, const
 
     ShapeFit fit;
     fit.solid = solidOf(form.data(), candidate.kind);
-    double cost = 0;
+    fit.form = form;
     ceres::Problem::EvaluateOptions evaluated;
     evaluated.residual_blocks = blocks;
-    problem.Evaluate(evaluated, &cost, nullptr, nullptr, nullptr);
+    problem.Evaluate(evaluated, &fit.cost, nullptr, nullptr, nullptr);
     const double freedom = 6.0 * static_cast<double>(outlines) - 3.0 * static_cast<double>(times.size());
-    fit.misfit = std::sqrt(2 * cost / share / std::max(1.0, freedom));
+    fit.misfit = std::sqrt(2 * fit.cost / share / std::max(1.0, freedom));
     if (problem.IsParameterBlockConstant(form.data()))
         return fit;
     ceres::Covariance covariance({});
     std::array<double, 16> block{};
     const std::vector<std::pair<const double *, const double *>> wanted{{form.data(), form.data()}};
-    if (covariance.Compute(wanted, &problem) &&
-        covariance.GetCovarianceBlock(form.data(), form.data(), block.data()))
-        fit.sigmaTopM =
-            fit.solid.topM * std::sqrt(std::max(0.0, block[4 * LogTop + LogTop])) * std::max(1.0, fit.misfit);
-    else
+    if (!covariance.Compute(wanted, &problem) || !covariance.GetCovarianceBlock(form.data(), form.data(), block.data()))
         return std::nullopt;
+    const auto variance = [&block](double byTop, double byBase) {
+        return byTop * byTop * block[4 * LogTop + LogTop] + 2 * byTop * byBase * block[4 * LogTop + BaseShare] +
+               byBase * byBase * block[4 * BaseShare + BaseShare];
+    };
+    const double scale = std::max(1.0, fit.misfit);
+    fit.sigmaTopM = scale * std::sqrt(std::max(0.0, variance(fit.solid.topM, 0)));
+    fit.sigmaMiddleM = scale * std::sqrt(std::max(0.0, variance(middleHeightM(fit.solid), fit.solid.topM / 2)));
     return fit;
 }
 
@@ -229,6 +240,23 @@ std::vector<ShapeCandidate> candidatesFor(const std::vector<CommonOutlines> &tim
     return candidates;
 }
 
+/// A solid that stands on the floor, fitted once more with an unknown clearance. Where the outlines do not show one clearly, the solid stays, and by how much the
+/// clearance would put its middle elsewhere is doubt.
+void raise(ShapeFit &standing, const std::vector<CommonOutlines> &times, ShapeCandidate candidate)
+{
+    candidate.form = standing.form;
+    candidate.form[BaseShare] = likelyBaseShare;
+    candidate.likelyClearanceM = likelyClearanceM;
+    std::erase(candidate.constant, int(BaseShare));
+    const auto raised = fitSolid(times, candidate);
+    if (!raised)
+        return;
+    if (standing.cost - raised->cost > clearBaseGain)
+        standing = *raised;
+    else
+        standing.sigmaMiddleM = std::hypot(raised->sigmaMiddleM, middleHeightM(raised->solid) - middleHeightM(standing.solid));
+}
+
 } // namespace
 
 std::optional<ShapeEstimate> estimateShape(const std::vector<ViewTrack> &views, const RobotShape &told)
@@ -237,6 +265,7 @@ std::optional<ShapeEstimate> estimateShape(const std::vector<ViewTrack> &views, 
     if (times.size() < leastShapeTimes)
         return std::nullopt;
     std::optional<ShapeFit> best;
+    ShapeCandidate bestCandidate;
     for (const ShapeCandidate &candidate : candidatesFor(times, told)) {
         if (best && best->misfit < goodMisfit && candidate.form[BaseShare] > 0)
             break;
@@ -247,12 +276,16 @@ std::optional<ShapeEstimate> estimateShape(const std::vector<ViewTrack> &views, 
         if (!stands && fit->sigmaTopM > leastKnownSigmaM)
             continue;
         const double handicap = stands ? 1.0 : clearlyBetter;
-        if (!best || fit->misfit < handicap * best->misfit)
+        if (!best || fit->misfit < handicap * best->misfit) {
             best = fit;
+            bestCandidate = candidate;
+        }
     }
     if (!best)
         return std::nullopt;
-    return ShapeEstimate{best->solid, best->sigmaTopM, !told.heightM, best->misfit};
+    if (bestCandidate.form[BaseShare] == 0)
+        raise(*best, times, bestCandidate);
+    return ShapeEstimate{best->solid, best->sigmaTopM, best->sigmaMiddleM, !told.heightM, best->misfit};
 }
 
 } // namespace odo

@@ -85,7 +85,7 @@ struct PlacedSolid
 PlacedSolid placedSolid(const std::vector<ViewTrack> &views, const ShapeEstimate &estimate)
 {
     Axes axes = trackAxis(views, estimate.shape);
-    return {{estimate.shape, estimate.sigmaTopM, placeBody(views, estimate.shape, axes)}, std::move(axes)};
+    return {{estimate.shape, estimate.sigmaMiddleM, placeBody(views, estimate.shape, axes)}, std::move(axes)};
 }
 
 /// Lays a box or cylinder by another point of it, for which its front must be known: of a cylinder only its motion tells it.
@@ -121,7 +121,7 @@ std::optional<FoundSolid> findSolidOfLevels(const std::vector<ViewTrack> &views,
     if (best == fits.end() || best->fit.misfit > worstLevelMisfit)
         return std::nullopt;
     const Consensus consensus = consensusOf(best->fit, fits);
-    FoundSolid solid{movedPlace(best->fit.shape, consensus.shift + told.referenceM), best->fit.sigmaTopM, {}};
+    FoundSolid solid{movedPlace(best->fit.shape, consensus.shift + told.referenceM), best->fit.sigmaTopM * middleHeightM(best->fit.shape) / best->fit.shape.topM, {}};
     solid.seen = placeBody(views, solid.shape, refineDirections(views, solid.shape, *best->directions), consensus.doubt);
     return solid;
 }

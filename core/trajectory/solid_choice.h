@@ -14,7 +14,7 @@ namespace odo {
 struct FoundSolid
 {
     SolidShape shape;
-    double sigmaTopM = 0;                    ///< of a height that was not told
+    double sigmaMiddleM = 0;                 ///< of the height of its middle
     std::vector<std::vector<Sighting>> seen; ///< of each observation of each view
 };
 

@@ -171,6 +171,10 @@ private Q_SLOTS:
         QTest::newRow("box, nothing told, one view") << false << 0.0 << false << false << true;
         QTest::newRow("plate, all told") << false << 0.12 << true << true << false;
         QTest::newRow("plate, nothing told") << false << 0.12 << false << false << false;
+        QTest::newRow("box on low wheels, all told") << false << 0.004 << true << true << false;
+        QTest::newRow("box on low wheels, nothing told") << false << 0.004 << false << false << false;
+        QTest::newRow("box on wheels, height told, one view") << false << 0.008 << true << false << true;
+        QTest::newRow("cylinder on wheels, nothing told") << true << 0.008 << false << false << false;
         QTest::newRow("cylinder, nothing told") << true << 0.0 << false << false << false;
     }
 
@@ -207,6 +211,25 @@ private Q_SLOTS:
         QVERIFY(estimate->misfit < 1);
         if (!heightTold)
             QVERIFY(std::abs(estimate->shape.topM - 0.12) < 4 * estimate->sigmaTopM);
+    }
+
+    /// One view cannot tell a low robot from a higher one whose body begins above the floor: what it leaves open is doubt.
+    void whatOneViewLeavesOpenIsDoubted_data()
+    {
+        QTest::addColumn<double>("base");
+        for (const double base : {0.0, 0.008, 0.02})
+            QTest::addRow("%g m", base) << base;
+    }
+    void whatOneViewLeavesOpenIsDoubted()
+    {
+        QFETCH(double, base);
+        const SolidShape shape{SolidShape::Form::Box, 0.24, 0.16, base, 0.12};
+        std::mt19937 random(9);
+        const auto estimate = estimateShape({filmSolid("A", cameraA(), shape, eight, 0.05, random)}, {});
+        QVERIFY(estimate.has_value());
+        const double off = std::abs(middleHeightM(estimate->shape) - middleHeightM(shape));
+        QVERIFY2(off < 3 * estimate->sigmaMiddleM, qPrintable(QStringLiteral("%1 at %2").arg(off).arg(estimate->sigmaMiddleM)));
+        QVERIFY2(estimate->sigmaMiddleM < 0.03, qPrintable(QString::number(estimate->sigmaMiddleM)));
     }
 
     void tooFewOrImpossibleOutlinesGiveNoShape()
