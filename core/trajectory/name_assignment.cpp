@@ -14,7 +14,7 @@ namespace odo {
 namespace {
 
 constexpr double confusableHueRad = 40 * std::numbers::pi / 180;
-constexpr std::size_t mostConfusable = 5;
+constexpr std::size_t mostConfusable = 8;
 constexpr double usualPlaneM = 0.04, highestAssignedM = 0.6;
 constexpr double firstSigmaM = 0.1, secondSigmaM = 0.05;
 constexpr double mostDisagreementM = 0.25; ///< median; beyond it the views do not show the same time or floor
@@ -133,17 +133,8 @@ public:
     std::vector<Pair> pairs() const
     {
         std::vector<Pair> all;
-        std::vector<int> nameNow(m_views * robots(), noName);
-        std::vector<double> untilS(m_views * robots(), -1e300);
-        std::size_t t = 0;
-        for (const FloorMoment &moment : m_evidence.moments) {
-            for (; t < m_names.size() && m_evidence.tracklets[t].tracklet.begin.timeS <= moment.timeS; ++t) {
-                const TrackletOf &begun = m_evidence.tracklets[t];
-                nameNow[begun.view * robots() + begun.slot] = static_cast<int>(m_names[t]);
-                untilS[begun.view * robots() + begun.slot] = begun.tracklet.end.timeS;
-            }
-            addPairs(moment, nameNow, untilS, all);
-        }
+        for (const FloorMoment &moment : m_evidence.moments)
+            addPairs(moment, all);
         return all;
     }
 
@@ -170,23 +161,14 @@ public:
 private:
     std::size_t robots() const { return m_evidence.toldHueRad.size(); }
 
-    void addPairs(const FloorMoment &moment, const std::vector<int> &nameNow,
-                  const std::vector<double> &untilS, std::vector<Pair> &all) const
+    void addPairs(const FloorMoment &moment, std::vector<Pair> &all) const
     {
-        const auto nameAt = [&](std::size_t view, std::size_t slot) {
-            const std::size_t i = view * robots() + slot;
-            return moment.sights[view][slot].seen && untilS[i] >= moment.timeS ? nameNow[i] : noName;
-        };
         for (std::size_t a = 0; a < m_views; ++a) {
             for (std::size_t b = a + 1; b < m_views; ++b) {
-                for (std::size_t i = 0; i < moment.sights[a].size(); ++i) {
-                    for (std::size_t j = 0; j < moment.sights[b].size(); ++j) {
-                        const int name = nameAt(a, i);
-                        if (name == noName || name != nameAt(b, j))
-                            continue;
-                        const FloorSight &one = moment.sights[a][i], &other = moment.sights[b][j];
-                        all.push_back(
-                            {one.onFloor - other.onFloor, one.perMetreHeight - other.perMetreHeight});
+                for (const FloorSight &one : moment.sights[a]) {
+                    for (const FloorSight &other : moment.sights[b]) {
+                        if (one.seen && other.seen && one.tracklet && other.tracklet && m_names[*one.tracklet] == m_names[*other.tracklet])
+                            all.push_back({one.onFloor - other.onFloor, one.perMetreHeight - other.perMetreHeight});
                     }
                 }
             }

@@ -41,7 +41,7 @@ std::vector<std::vector<std::size_t>> robotsOfLikeColours(const std::vector<Name
 /// hundred (exact for two or three robots). A second round knows the robots' height and their looks in each
 /// view from the first one.
 ///
-/// Only robots whose told hues are within 40° of each other are ever renamed, at most five of them; of equal
+/// Only robots whose told hues are within 40° of each other are ever renamed, at most eight of them; of equal
 /// colours no one can say which is which, but the names stay the same throughout and in all views.
 ///
 /// Made before the observations are stored: the share-out of observations among names is a decision of the

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
 
 namespace odo {
 
@@ -42,7 +44,7 @@ public:
                    high = m_view.floorView->floorFromPixel(pixel, secondPlaneM);
         if (!low || !high)
             return {};
-        return {true, *low, (*high - *low) / secondPlaneM};
+        return {true, {}, *low, (*high - *low) / secondPlaneM};
     }
 
 private:
@@ -83,6 +85,22 @@ std::vector<FloorMoment> gatherMoments(const std::vector<NamedView> &views,
             moments.push_back(std::move(moment));
     }
     return moments;
+}
+
+/// Tells of all sights which tracklet they show.
+void addTracklets(NameEvidence &evidence)
+{
+    std::size_t next = 0;
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> newest; // of each view and slot
+    for (FloorMoment &moment : evidence.moments) {
+        for (; next < evidence.tracklets.size() && evidence.tracklets[next].tracklet.begin.timeS <= moment.timeS; ++next)
+            newest[{evidence.tracklets[next].view, evidence.tracklets[next].slot}] = next;
+        for (const auto &[place, index] : newest) {
+            const auto &[view, slot] = place;
+            if (slot < moment.sights[view].size() && evidence.tracklets[index].tracklet.end.timeS >= moment.timeS)
+                moment.sights[view][slot].tracklet = index;
+        }
+    }
 }
 
 /// Mean of what all robots' hues together are off. It does not depend on who is who, as long as all are
@@ -144,6 +162,7 @@ NameEvidence gatherEvidence(const std::vector<NamedView> &views, const std::vect
                          return a.tracklet.begin.timeS < b.tracklet.begin.timeS;
                      });
     evidence.moments = gatherMoments(views, considered);
+    addTracklets(evidence);
     return evidence;
 }
 

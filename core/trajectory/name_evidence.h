@@ -20,6 +20,7 @@ struct TrackletOf
 struct FloorSight
 {
     bool seen = false;
+    std::optional<std::size_t> tracklet; ///< of the evidence, that was seen there
     Eigen::Vector2d onFloor = Eigen::Vector2d::Zero(), perMetreHeight = Eigen::Vector2d::Zero();
 
     Eigen::Vector2d at(double heightM) const { return onFloor + heightM * perMetreHeight; }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace odo {
 
@@ -40,8 +41,11 @@ class NamesSearch
 public:
     NamesSearch(const NameEvidence &evidence, std::size_t views, const NameKnowledge &knowledge)
         : m_evidence(evidence), m_knowledge(knowledge), m_views(views), m_robots(evidence.toldHueRad.size()),
-          m_runsUntilS(views * m_robots, -1e300)
+          m_runsUntilS(views * m_robots, -1e300), m_apart(evidence.tracklets.size())
     {
+        if (knowledge.viewsAgree)
+            for (const FloorMoment &moment : evidence.moments)
+                addApart(moment);
         NameHypothesis first;
         first.state.assign(2 * m_views * m_robots, none);
         for (std::size_t i = 0; i < m_views * m_robots; ++i)
@@ -51,15 +55,8 @@ public:
 
     std::vector<std::size_t> run()
     {
-        std::size_t moment = 0;
-        for (std::size_t t = 0; t < m_evidence.tracklets.size(); ++t) {
-            const double beginS = m_evidence.tracklets[t].tracklet.begin.timeS;
-            for (; moment < m_evidence.moments.size() && m_evidence.moments[moment].timeS < beginS; ++moment)
-                weigh(m_evidence.moments[moment]);
+        for (std::size_t t = 0; t < m_evidence.tracklets.size(); ++t)
             decide(t);
-        }
-        for (; moment < m_evidence.moments.size(); ++moment)
-            weigh(m_evidence.moments[moment]);
         return namesOfTheBest();
     }
 
@@ -70,39 +67,38 @@ private:
         return (m_views + view) * m_robots + name;
     }
 
-    void weigh(const FloorMoment &moment)
+    /// What a moment adds to the costs of tracklets of two views that may show one robot.
+    void addApart(const FloorMoment &moment)
     {
-        if (!m_knowledge.viewsAgree)
-            return;
-        for (NameHypothesis &hypothesis : m_hypotheses) {
-            for (std::size_t a = 0; a < m_views; ++a) {
-                for (std::size_t b = a + 1; b < m_views; ++b)
-                    hypothesis.cost += floorWeight * floorCost(moment, hypothesis, a, b);
-            }
-        }
+        for (std::size_t a = 0; a < m_views; ++a)
+            for (std::size_t b = a + 1; b < m_views; ++b)
+                for (const FloorSight &one : moment.sights[a])
+                    for (const FloorSight &other : moment.sights[b]) {
+                        if (!one.seen || !other.seen || !one.tracklet || !other.tracklet)
+                            continue;
+                        const Eigen::Vector2d apart = one.at(m_knowledge.planeM) - other.at(m_knowledge.planeM);
+                        const double cost = 0.5 * apart.squaredNorm() / (m_knowledge.floorSigmaM * m_knowledge.floorSigmaM);
+                        const auto &[earlier, later] = std::minmax(*one.tracklet, *other.tracklet);
+                        m_apart[later][earlier] += floorWeight * std::min(mostFloorCost, cost);
+                    }
     }
 
-    double floorCost(const FloorMoment &moment, const NameHypothesis &hypothesis, std::size_t a,
-                     std::size_t b) const
+    /// How far a tracklet lies from those of other views that have the name, for as long as both are seen.
+    double costOfApart(const NameHypothesis &hypothesis, std::size_t t, std::size_t name) const
     {
         double cost = 0;
-        for (std::size_t i = 0; i < moment.sights[a].size(); ++i) {
-            for (std::size_t j = 0; j < moment.sights[b].size(); ++j) {
-                const FloorSight &one = moment.sights[a][i], &other = moment.sights[b][j];
-                if (!one.seen || !other.seen ||
-                    hypothesis.state[slotIndex(a, i)] != hypothesis.state[slotIndex(b, j)])
-                    continue;
-                const Eigen::Vector2d apart = one.at(m_knowledge.planeM) - other.at(m_knowledge.planeM);
-                cost += std::min(mostFloorCost, 0.5 * apart.squaredNorm() /
-                                                    (m_knowledge.floorSigmaM * m_knowledge.floorSigmaM));
-            }
+        for (std::size_t view = 0; view < m_views; ++view) {
+            const int other = hypothesis.state[lastIndex(view, name)];
+            if (const auto apart = m_apart[t].find(std::size_t(other)); other != none && apart != m_apart[t].end())
+                cost += apart->second;
         }
         return cost;
     }
 
-    double costOf(const NameHypothesis &hypothesis, const TrackletOf &begun, std::size_t name) const
+    double costOf(const NameHypothesis &hypothesis, std::size_t t, std::size_t name) const
     {
-        double cost = colourCost(begun, name);
+        const TrackletOf &begun = m_evidence.tracklets[t];
+        double cost = colourCost(begun, name) + costOfApart(hypothesis, t, name);
         const int last = hypothesis.state[lastIndex(begun.view, name)];
         if (last != none)
             cost += costOfJoining(m_evidence.tracklets[static_cast<std::size_t>(last)].tracklet.end,
@@ -145,7 +141,7 @@ private:
                 const std::size_t own = slotIndex(begun.view, begun.slot),
                                   other = slotIndex(begun.view, slot);
                 const auto name = static_cast<std::size_t>(hypothesis.state[other]);
-                changed.cost += costOf(hypothesis, begun, name);
+                changed.cost += costOf(hypothesis, t, name);
                 std::swap(changed.state[own], changed.state[other]);
                 changed.state[lastIndex(begun.view, name)] = static_cast<int>(t);
                 m_decisions.push_back({hypothesis.decision, t, name});
@@ -190,6 +186,7 @@ private:
     const NameKnowledge &m_knowledge;
     const std::size_t m_views, m_robots;
     std::vector<double> m_runsUntilS; ///< for each view and slot the end of its tracklet
+    std::vector<std::map<std::size_t, double>> m_apart; ///< of each tracklet the costs with those of other views that began before it
     std::vector<NameHypothesis> m_hypotheses;
     std::vector<NameDecision> m_decisions;
 };
