@@ -66,11 +66,16 @@ private:
     }
 
     /// The moment when a track that lies by `more` further on meets the line: searched from a place on, by
-    /// one step back or forth at a time.
+    /// one step back or forth at a time, as far as the track has no gap. Where its σ grows that may be its end.
     double momentFrom(std::size_t i, int step, double more) const
     {
-        while ((across(i) + more > 0) == (across(i + 1) + more > 0))
+        while ((across(i) + more > 0) == (across(i + 1) + more > 0)) {
+            if (step < 0 && (i == 0 || !m_places[i].joined))
+                return m_places[i].timeS;
+            if (step > 0 && (i + 2 >= m_places.size() || !m_places[i + 2].joined))
+                return m_places[i + 1].timeS;
             i = step < 0 ? i - 1 : i + 1;
+        }
         return m_places[i].timeS + distanceAfter(i, more).root() * (m_places[i + 1].timeS - m_places[i].timeS);
     }
 

@@ -222,6 +222,17 @@ private Q_SLOTS:
                      std::size_t(1));
         }
     }
+    /// Just at the gate less is known of the place than the whole way to its ends is long.
+    void aPlaceHardlyKnownAtTheGateMakesAWideSigma()
+    {
+        Run run = exactly(evenly({-0.1, 0}, {0.5, 0}), 0.4);
+        for (std::size_t i = 4; i < 9; ++i) {
+            run.points[i].sigmaXM = 1;
+        }
+        const auto passages = passagesOf({start}, run);
+        QCOMPARE(passages.size(), std::size_t(1));
+        QVERIFY2(passages.front().sigmaS > 0.15 && passages.front().sigmaS <= 0.2, qPrintable(QString::number(passages.front().sigmaS)));
+    }
     void whatHappensInAGapIsNotKnown()
     {
         Run run = exactly(evenly({-0.5, 0}, {0.5, 0}), 2);
