@@ -20,6 +20,7 @@ namespace {
 constexpr double mostCost = 2;         // of a silhouette that may be the robot followed
 constexpr double areaSigma = 0.35;     // of the area's logarithm, from frame to frame
 constexpr int mostMisses = 15;    // frames
+constexpr double mostAlone = 1.15;     // of its usual area: what is larger and covers another robot's place shows both
 constexpr double mostLostRatio = 3;    // of the areas of a robot before and after it was lost
 constexpr double mostOfWhole = 0.5;    // of a whole's hull: the share of a part that is a body by itself
 constexpr double mostAlike = 3;        // ratio of the areas of parts that are alike
@@ -36,6 +37,7 @@ struct Followed
     bool isOfParts = false; ///< found as several silhouettes together
     int besideAlike = 0;    ///< frames in a row in which others like its silhouette stood beside it
     int missed = -1;   ///< frames since it was seen; below 0: it is lost or was never found
+    int together = 0;  ///< frames for which it has been one silhouette with another robot
 
     bool isFollowing() const { return missed >= 0; }
     double radiusPx() const { return std::sqrt(area.px() / std::numbers::pi); }
@@ -46,17 +48,15 @@ double costOf(const Followed &robot, const SeenSilhouette &silhouette, double ti
     if (silhouette.regions > 1 && !robot.isOfParts) // something stands beside it
         return mostCost;
     const double sinceS = std::max(0.0, timeS - robot.predictor.lastTimeS());
-    const double reach = 0.5 * robot.radiusPx() + 4 + 0.5 * sinceS * robot.predictor.velocity().norm() + 2.0 * robot.missed;
+    const double reach = 0.5 * robot.radiusPx() + 4 + 0.5 * sinceS * robot.predictor.velocity().norm() + 2.0 * (robot.missed + robot.together);
     const double away = (silhouette.moments.centrePx - robot.predictor.at(timeS)).norm() / reach;
     const double size = silhouette.touchesBorder ? 0 : robot.area.offInLn(silhouette.moments.areaPx2) / (2 * areaSigma);
     return std::hypot(away, std::min(size, 1.5));
 }
 
-bool lies(const SeenSilhouette &silhouette, const Observation &other)
+bool lies(const PixelRect &box, const Eigen::Vector2d &at)
 {
-    const Eigen::Vector2d &at = other.ellipse.centrePx;
-    const PixelRect &box = silhouette.box;
-    return other.found && at.x() >= box.x0 && at.x() < box.x1 && at.y() >= box.y0 && at.y() < box.y1;
+    return at.x() >= box.x0 && at.x() < box.x1 && at.y() >= box.y0 && at.y() < box.y1;
 }
 
 bool contains(const PixelRect &outer, const PixelRect &inner)
@@ -82,6 +82,7 @@ struct SilhouetteTracker::Impl
     std::optional<FloorView> floor;
     std::vector<SeenSilhouette> wholes; ///< of the frame: of parts that are alike
 
+    std::vector<bool> leaveTogether(std::vector<SeenSilhouette> &seen, double timeS);
     void takeWholeInstead(Followed &robot, SeenSilhouette &taken) const;
     void assign(const Frame &frame, std::vector<SeenSilhouette> seen, std::span<const SilhouetteCue> cues);
     void addWholes(std::vector<SeenSilhouette> &seen);
@@ -99,7 +100,7 @@ void SilhouetteTracker::Impl::accept(Followed &robot, const SeenSilhouette &silh
     } else {
         robot.predictor.update(silhouette.moments.centrePx, timeS);
     }
-    robot.missed = 0;
+    robot.missed = robot.together = 0;
     observation.found = true;
     observation.touchesBorder = silhouette.touchesBorder;
     observation.ellipse = ellipseOf(silhouette.moments.centrePx, silhouette.moments.covariancePx2);
@@ -157,6 +158,31 @@ void SilhouetteTracker::Impl::takeWholeInstead(Followed &robot, SeenSilhouette &
     robot = Followed(); // what was known of it was of a part
 }
 
+/// What shows several robots as one is none of them: it is taken from the silhouettes, and they are expected in it until they part. Tells of each
+/// robot whether it is in one.
+std::vector<bool> SilhouetteTracker::Impl::leaveTogether(std::vector<SeenSilhouette> &seen, double timeS)
+{
+    std::vector<bool> isTogether(robots.size());
+    std::erase_if(seen, [&](const SeenSilhouette &one) {
+        std::vector<std::size_t> within;
+        double largestPx = 0;
+        for (std::size_t r = 0; r < robots.size(); ++r) {
+            if (!robots[r].isFollowing() || last[r].found || !lies(one.box, robots[r].predictor.at(timeS)))
+                continue;
+            within.push_back(r);
+            largestPx = std::max(largestPx, robots[r].area.px());
+        }
+        if (within.size() < 2 || one.moments.areaPx2 < mostAlone * largestPx)
+            return false;
+        for (const std::size_t robot : within) {
+            ++robots[robot].together;
+            isTogether[robot] = true;
+        }
+        return true;
+    });
+    return isTogether;
+}
+
 void SilhouetteTracker::Impl::assign(const Frame &frame, std::vector<SeenSilhouette> seen, std::span<const SilhouetteCue> cues)
 {
     const double timeS = toSeconds(frame.time);
@@ -173,15 +199,16 @@ void SilhouetteTracker::Impl::assign(const Frame &frame, std::vector<SeenSilhoue
         const Observation *coloured = cueOf(r).coloured;
         if (!coloured || !coloured->found)
             continue;
-        const auto own = std::ranges::find_if(seen, [coloured](const SeenSilhouette &one) { return lies(one, *coloured); });
+        const auto own = std::ranges::find_if(seen, [coloured](const SeenSilhouette &one) { return lies(one.box, coloured->ellipse.centrePx); });
         if (own != seen.end())
             take(r, std::size_t(own - seen.begin()));
     }
+    const std::vector<bool> isTogether = leaveTogether(seen, timeS);
     while (true) { // the likeliest pair first
         double least = mostCost;
         std::size_t robot = 0, silhouette = 0;
         for (std::size_t r = 0; r < robots.size(); ++r) {
-            for (std::size_t s = 0; robots[r].isFollowing() && !last[r].found && s < seen.size(); ++s) {
+            for (std::size_t s = 0; robots[r].isFollowing() && !last[r].found && !isTogether[r] && s < seen.size(); ++s) {
                 if (const double cost = costOf(robots[r], seen[s], timeS); cost < least) {
                     least = cost;
                     robot = r;
@@ -194,7 +221,7 @@ void SilhouetteTracker::Impl::assign(const Frame &frame, std::vector<SeenSilhoue
         take(robot, silhouette);
     }
     for (std::size_t r = 0; r < robots.size(); ++r) {
-        if (last[r].found)
+        if (last[r].found || isTogether[r])
             continue;
         if (robots[r].isFollowing() && ++robots[r].missed <= mostMisses)
             continue;
@@ -235,7 +262,7 @@ std::vector<Observation> SilhouetteTracker::track(const Frame &frame, std::span<
             std::erase_if(seen, [&](const SeenSilhouette &one) {
                 if (d.floor && isTooLargeForRobot(*d.floor, one.box))
                     return true;
-                return std::ranges::any_of(others, [&](const Observation &other) { return lies(one, other); });
+                return std::ranges::any_of(others, [&](const Observation &other) { return other.found && lies(one.box, other.ellipse.centrePx); });
             });
             d.addWholes(seen);
             d.assign(frame, std::move(seen), cues);

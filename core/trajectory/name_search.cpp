@@ -36,6 +36,12 @@ struct NameDecision
     std::size_t tracklet = 0, name = 0;
 };
 
+/// What two views' tracklets cost by the places they show: as one robot they should be at one place, as two they cannot.
+struct CostOfTwo
+{
+    double ofOneName = 0, ofTwoNames = 0;
+};
+
 class NamesSearch
 {
 public:
@@ -67,7 +73,7 @@ private:
         return (m_views + view) * m_robots + name;
     }
 
-    /// What a moment adds to the costs of tracklets of two views that may show one robot.
+    /// What a moment adds to the costs of two views' tracklets.
     void addApart(const FloorMoment &moment)
     {
         for (std::size_t a = 0; a < m_views; ++a)
@@ -79,18 +85,20 @@ private:
                         const Eigen::Vector2d apart = one.at(m_knowledge.planeM) - other.at(m_knowledge.planeM);
                         const double cost = 0.5 * apart.squaredNorm() / (m_knowledge.floorSigmaM * m_knowledge.floorSigmaM);
                         const auto &[earlier, later] = std::minmax(*one.tracklet, *other.tracklet);
-                        m_apart[later][earlier] += floorWeight * std::min(mostFloorCost, cost);
+                        CostOfTwo &both = m_apart[later][earlier];
+                        both.ofOneName += floorWeight * std::min(mostFloorCost, cost);
+                        both.ofTwoNames += floorWeight * mostFloorCost * std::exp(-cost);
                     }
     }
 
-    /// How far a tracklet lies from those of other views that have the name, for as long as both are seen.
+    /// How far a tracklet lies from those of other views that have the name, and how near to those that have another, for as long as both are seen.
     double costOfApart(const NameHypothesis &hypothesis, std::size_t t, std::size_t name) const
     {
         double cost = 0;
-        for (std::size_t view = 0; view < m_views; ++view) {
-            const int other = hypothesis.state[lastIndex(view, name)];
-            if (const auto apart = m_apart[t].find(std::size_t(other)); other != none && apart != m_apart[t].end())
-                cost += apart->second;
+        for (const auto &[earlier, both] : m_apart[t]) {
+            const TrackletOf &other = m_evidence.tracklets[earlier]; // it runs still, so that its slot has its name
+            const bool isSame = hypothesis.state[slotIndex(other.view, other.slot)] == static_cast<int>(name);
+            cost += isSame ? both.ofOneName : both.ofTwoNames;
         }
         return cost;
     }
@@ -186,7 +194,7 @@ private:
     const NameKnowledge &m_knowledge;
     const std::size_t m_views, m_robots;
     std::vector<double> m_runsUntilS; ///< for each view and slot the end of its tracklet
-    std::vector<std::map<std::size_t, double>> m_apart; ///< of each tracklet the costs with those of other views that began before it
+    std::vector<std::map<std::size_t, CostOfTwo>> m_apart; ///< of each tracklet, with those of other views that began before it
     std::vector<NameHypothesis> m_hypotheses;
     std::vector<NameDecision> m_decisions;
 };
