@@ -6607,6 +6607,18 @@
         <source>say it again for frame %1</source>
         <translation>geben Sie es für Bild %1 noch einmal an</translation>
     </message>
+    <message>
+        <source>from %1 s to %2 s it could not be told from another robot of its look, so that it may be that one from then on</source>
+        <translation>von %1 s bis %2 s war er nicht von einem anderen Roboter gleichen Aussehens zu unterscheiden; ab da kann er jener sein</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s, and %3 times more, it could not be told from another robot of its look, so that it may be that one from then on</source>
+        <translation>von %1 s bis %2 s und noch %3-mal war er nicht von einem anderen Roboter gleichen Aussehens zu unterscheiden; ab da kann er jener sein</translation>
+    </message>
+    <message>
+        <source>give each a colour of its own</source>
+        <translation>geben Sie jedem eine eigene Farbe</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

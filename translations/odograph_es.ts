@@ -6607,6 +6607,18 @@
         <source>say it again for frame %1</source>
         <translation>indíquelo otra vez para el fotograma %1</translation>
     </message>
+    <message>
+        <source>from %1 s to %2 s it could not be told from another robot of its look, so that it may be that one from then on</source>
+        <translation>de %1 s a %2 s no se pudo distinguir de otro robot de igual aspecto, de modo que desde entonces puede ser ese otro</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s, and %3 times more, it could not be told from another robot of its look, so that it may be that one from then on</source>
+        <translation>de %1 s a %2 s, y %3 veces más, no se pudo distinguir de otro robot de igual aspecto, de modo que desde entonces puede ser ese otro</translation>
+    </message>
+    <message>
+        <source>give each a colour of its own</source>
+        <translation>dé a cada uno un color propio</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

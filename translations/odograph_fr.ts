@@ -6607,6 +6607,18 @@
         <source>say it again for frame %1</source>
         <translation>indiquez-le de nouveau pour l’image %1</translation>
     </message>
+    <message>
+        <source>from %1 s to %2 s it could not be told from another robot of its look, so that it may be that one from then on</source>
+        <translation>de %1 s à %2 s, il n’a pas pu être distingué d’un autre robot de même aspect ; dès lors il peut s’agir de cet autre</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s, and %3 times more, it could not be told from another robot of its look, so that it may be that one from then on</source>
+        <translation>de %1 s à %2 s, et %3 autres fois, il n’a pas pu être distingué d’un autre robot de même aspect ; dès lors il peut s’agir de cet autre</translation>
+    </message>
+    <message>
+        <source>give each a colour of its own</source>
+        <translation>donnez à chacun une couleur à lui</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6605,6 +6605,18 @@
         <source>say it again for frame %1</source>
         <translation>프레임 %1에 대해 다시 지정하십시오</translation>
     </message>
+    <message>
+        <source>from %1 s to %2 s it could not be told from another robot of its look, so that it may be that one from then on</source>
+        <translation>%1초부터 %2초까지 같은 모습의 다른 로봇과 구별할 수 없었으므로, 그 뒤로는 그 로봇일 수 있습니다</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s, and %3 times more, it could not be told from another robot of its look, so that it may be that one from then on</source>
+        <translation>%1초부터 %2초까지, 그리고 %3번 더, 같은 모습의 다른 로봇과 구별할 수 없었으므로, 그 뒤로는 그 로봇일 수 있습니다</translation>
+    </message>
+    <message>
+        <source>give each a colour of its own</source>
+        <translation>각 로봇에 고유한 색을 주십시오</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

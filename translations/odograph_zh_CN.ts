@@ -6605,6 +6605,18 @@
         <source>say it again for frame %1</source>
         <translation>请对第 %1 帧再指定一次</translation>
     </message>
+    <message>
+        <source>from %1 s to %2 s it could not be told from another robot of its look, so that it may be that one from then on</source>
+        <translation>从 %1 秒到 %2 秒无法将它与另一个外观相同的机器人区分开，因此此后它可能是那一个</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s, and %3 times more, it could not be told from another robot of its look, so that it may be that one from then on</source>
+        <translation>从 %1 秒到 %2 秒，以及另外 %3 次，无法将它与另一个外观相同的机器人区分开，因此此后它可能是那一个</translation>
+    </message>
+    <message>
+        <source>give each a colour of its own</source>
+        <translation>请给每个机器人一种自己的颜色</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

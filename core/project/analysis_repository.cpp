@@ -138,7 +138,7 @@ Result<AnalysisRecord> analysisOf(const Statement &row)
     analysis.robot = row.integer(2);
     analysis.robotName = row.name(3);
     analysis.made = Instant(std::chrono::milliseconds(row.integer(4)));
-    analysis.softwareVersion = row.text(5);
+    analysis.softwareVersion = row.name(5);
     const auto smoother =
         fromStoredWord(smootherWords, row.text(6), "analysis " + std::to_string(analysis.id));
     if (!smoother)

@@ -35,7 +35,7 @@ Result<IntrinsicsRecord> readIntrinsics(const ProjectConnection &connection, con
     if (!intrinsics)
         return tl::unexpected(intrinsics.error());
     record.calibration.intrinsics = std::move(*intrinsics);
-    record.softwareVersion = row.text(8);
+    record.softwareVersion = row.name(8);
     if (!row.text(9).empty()) {
         const auto pattern =
             fromStoredWord(boardPatternWords, row.text(9), "calibration " + std::to_string(record.id) + " of the project");

@@ -137,7 +137,7 @@ Result<RegistrationRecord> readRegistration(const ProjectConnection &connection,
     registration.rmsPx = row.real(14);
     registration.rmsM = row.real(15);
     registration.verdict = row.text(16);
-    record.softwareVersion = row.text(17);
+    record.softwareVersion = row.name(17);
     record.picture = {row.text(18), row.text(19), row.integer(20)};
     const std::string what = "registration " + std::to_string(record.id) + " of the project";
     const auto covariance = unpackSquare(row.blob(13), what);

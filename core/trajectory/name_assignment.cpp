@@ -200,13 +200,13 @@ double disagreementOf(const std::vector<Lessons::Pair> &pairs, double planeM)
     return distances.empty() ? 0 : upperMedian(std::move(distances));
 }
 
-std::vector<std::size_t> decideNames(const NameEvidence &evidence, std::size_t views,
+FoundNames decideNames(const NameEvidence &evidence, std::size_t views,
                                      std::optional<double> toldPlaneM)
 {
     NameKnowledge knowledge;
     knowledge.planeM = toldPlaneM.value_or(usualPlaneM);
     knowledge.floorSigmaM = firstSigmaM;
-    const std::vector<std::size_t> first = searchNames(evidence, views, knowledge);
+    const std::vector<std::size_t> first = searchNames(evidence, views, knowledge).names;
 
     const Lessons lessons(evidence, first, views);
     const auto pairs = lessons.pairs();
@@ -228,6 +228,25 @@ std::optional<double> toldPlane(const std::vector<NamedRobot> &robots,
         sum += *robots[robot].heightM / 2;
     }
     return sum / static_cast<double>(considered.size());
+}
+
+/// The times of doubtful links, joined where they overlap.
+std::vector<NameDoubt> doubtsOf(const FoundNames &found, const NameEvidence &evidence, const std::vector<std::size_t> &considered)
+{
+    std::vector<NameDoubt> all;
+    for (const DoubtfulLink &link : found.doubts) {
+        const double fromS = evidence.tracklets[link.before].tracklet.end.timeS, toS = evidence.tracklets[link.behind].tracklet.begin.timeS;
+        all.push_back({considered[found.names[link.behind]], fromS, std::max(fromS, toS)});
+    }
+    std::ranges::sort(all, {}, [](const NameDoubt &doubt) { return std::pair(doubt.robot, doubt.fromS); });
+    std::vector<NameDoubt> joined;
+    for (const NameDoubt &doubt : all) {
+        if (!joined.empty() && joined.back().robot == doubt.robot && doubt.fromS <= joined.back().toS)
+            joined.back().toS = std::max(joined.back().toS, doubt.toS);
+        else
+            joined.push_back(doubt);
+    }
+    return joined;
 }
 
 } // namespace
@@ -255,21 +274,22 @@ std::vector<std::vector<std::size_t>> robotsOfLikeColours(const std::vector<Name
     return groups;
 }
 
-std::int64_t assignNames(std::vector<NamedView> &views, const std::vector<NamedRobot> &robots)
+NameOutcome assignNames(std::vector<NamedView> &views, const std::vector<NamedRobot> &robots)
 {
-    std::int64_t renamed = 0;
+    NameOutcome outcome;
     for (const std::vector<std::size_t> &considered : robotsOfLikeColours(robots)) {
         if (considered.size() < 2 || considered.size() > mostConfusable)
             continue;
         const NameEvidence evidence = gatherEvidence(views, robots, considered);
         if (evidence.tracklets.empty())
             continue;
-        const auto names = decideNames(evidence, views.size(), toldPlane(robots, considered));
-        const FrameNames frames = framesOf(evidence, names, views, considered);
+        const FoundNames found = decideNames(evidence, views.size(), toldPlane(robots, considered));
+        const FrameNames frames = framesOf(evidence, found.names, views, considered);
         for (std::size_t v = 0; v < views.size(); ++v)
-            renamed += rename(views[v], considered, frames[v]);
+            outcome.renamed += rename(views[v], considered, frames[v]);
+        std::ranges::move(doubtsOf(found, evidence, considered), std::back_inserter(outcome.doubts));
     }
-    return renamed;
+    return outcome;
 }
 
 } // namespace odo

@@ -27,6 +27,19 @@ struct NamedView
     double clockRate = 0; ///< by how much its clock runs faster than the first view's
 };
 
+/// A stretch of time at which it cannot be told from what came before it which robot is which.
+struct NameDoubt
+{
+    std::size_t robot = 0;
+    double fromS = 0, toS = 0; ///< of the first view's clock
+};
+
+struct NameOutcome
+{
+    std::int64_t renamed = 0;      ///< observations (found ones) that changed their robot
+    std::vector<NameDoubt> doubts; ///< in order, those of a robot apart from one another
+};
+
 /// The robots in groups whose told colours might be taken for one another, and those without a colour; a robot of a colour of its own is a group.
 std::vector<std::vector<std::size_t>> robotsOfLikeColours(const std::vector<NamedRobot> &robots);
 
@@ -47,8 +60,8 @@ std::vector<std::vector<std::size_t>> robotsOfLikeColours(const std::vector<Name
 /// Made before the observations are stored: the share-out of observations among names is a decision of the
 /// tracking, needs the tracker's mean chroma, which is not kept, and all who read the project later must see
 /// the same names. Observations themselves are not changed, only moved between robots, all of a frame's
-/// staying in their frame. Pure and thread-safe. Returns how many observations (found ones) changed their
-/// robot.
-std::int64_t assignNames(std::vector<NamedView> &views, const std::vector<NamedRobot> &robots);
+/// staying in their frame. Where another way to name the tracklets explains them nearly as well, the time between the two
+/// that it would not join is doubtful. Pure and thread-safe.
+NameOutcome assignNames(std::vector<NamedView> &views, const std::vector<NamedRobot> &robots);
 
 } // namespace odo

@@ -19,6 +19,8 @@ constexpr double hueSigmaRad = 0.09, mostHueCost = 12.0;
 constexpr double leastLookSigma = 3.0, relativeLookSigma = 0.05, mostLookCost = 10.0;
 constexpr double costOfRenaming = 0.05; ///< the tracker's own choice is as good where nothing else tells
 
+constexpr double costOfDoubt = 3.0; ///< by which one way is surely better than another: of e^3 = 20 to 1
+
 constexpr int none = -1;
 
 /// One way to have named everything up to now.
@@ -34,6 +36,7 @@ struct NameDecision
 {
     int before = none;
     std::size_t tracklet = 0, name = 0;
+    std::vector<std::pair<double, int>> nearlyAsGood; ///< other ways that came to the same: by how much they cost more, and their decision
 };
 
 /// What two views' tracklets cost by the places they show: as one robot they should be at one place, as two they cannot.
@@ -59,11 +62,20 @@ public:
         m_hypotheses.push_back(std::move(first));
     }
 
-    std::vector<std::size_t> run()
+    FoundNames run()
     {
         for (std::size_t t = 0; t < m_evidence.tracklets.size(); ++t)
             decide(t);
-        return namesOfTheBest();
+        FoundNames found;
+        const NameHypothesis &best = m_hypotheses.front(); // they are in order
+        found.names = namesOf(best.decision);
+        const Links links = linksOf(found.names, best.decision);
+        for (const NameHypothesis &other : m_hypotheses)
+            addDoubts(best.cost, other.cost, other.decision, links, found.doubts);
+        for (int d = best.decision; d != none; d = decisionOf(d).before)
+            for (const auto &[cost, decision] : decisionOf(d).nearlyAsGood)
+                addDoubts(0, cost, decision, links, found.doubts);
+        return found;
     }
 
 private:
@@ -135,6 +147,19 @@ private:
         return cost + std::min(mostLookCost, 0.5 * away * away);
     }
 
+    const NameDecision &decisionOf(int number) const { return m_decisions[static_cast<std::size_t>(number)]; }
+
+    /// Robots without a told colour whose names nothing has yet are all alike.
+    bool isUnused(const NameHypothesis &hypothesis, std::size_t name) const
+    {
+        if (m_evidence.toldHueRad[name])
+            return false;
+        for (std::size_t view = 0; view < m_views; ++view)
+            if (hypothesis.state[lastIndex(view, name)] != none)
+                return false;
+        return true;
+    }
+
     /// A tracklet begins: its slot may exchange names with any slot of its view that shows nothing sure just
     /// now.
     void decide(std::size_t t)
@@ -142,17 +167,21 @@ private:
         const TrackletOf &begun = m_evidence.tracklets[t];
         std::vector<NameHypothesis> next;
         for (const NameHypothesis &hypothesis : m_hypotheses) {
-            for (std::size_t slot = 0; slot < m_robots; ++slot) {
+            bool isUnusedTried = false;
+            for (std::size_t k = 0; k < m_robots; ++k) {
+                const std::size_t slot = (begun.slot + k) % m_robots;
                 if (m_runsUntilS[slotIndex(begun.view, slot)] >= begun.tracklet.begin.timeS)
                     continue;
-                NameHypothesis changed = hypothesis;
                 const std::size_t own = slotIndex(begun.view, begun.slot),
                                   other = slotIndex(begun.view, slot);
                 const auto name = static_cast<std::size_t>(hypothesis.state[other]);
+                if (isUnused(hypothesis, name) && std::exchange(isUnusedTried, true))
+                    continue;
+                NameHypothesis changed = hypothesis;
                 changed.cost += costOf(hypothesis, t, name);
                 std::swap(changed.state[own], changed.state[other]);
                 changed.state[lastIndex(begun.view, name)] = static_cast<int>(t);
-                m_decisions.push_back({hypothesis.decision, t, name});
+                m_decisions.push_back({hypothesis.decision, t, name, {}});
                 changed.decision = static_cast<int>(m_decisions.size()) - 1;
                 next.push_back(std::move(changed));
             }
@@ -161,33 +190,60 @@ private:
         m_runsUntilS[slotIndex(begun.view, begun.slot)] = begun.tracklet.end.timeS;
     }
 
-    /// Of hypotheses that only differ in what lies behind the cheapest; of all the cheapest few hundred.
-    static std::vector<NameHypothesis> bestOf(std::vector<NameHypothesis> hypotheses)
+    /// Of hypotheses that only differ in what lies behind the cheapest, which remembers those that were nearly as cheap; of all the cheapest few hundred, in
+    /// order.
+    std::vector<NameHypothesis> bestOf(std::vector<NameHypothesis> hypotheses)
     {
         std::sort(hypotheses.begin(), hypotheses.end(),
                   [](const NameHypothesis &a, const NameHypothesis &b) { return a.cost < b.cost; });
-        std::map<std::vector<int>, bool> known;
+        std::map<std::vector<int>, std::size_t> known;
         std::vector<NameHypothesis> best;
         for (NameHypothesis &hypothesis : hypotheses) {
             if (best.size() == mostNameHypotheses || hypothesis.cost > hypotheses.front().cost + hopelessCost)
                 break;
-            if (known.emplace(hypothesis.state, true).second)
+            const auto [its, isNew] = known.emplace(hypothesis.state, best.size());
+            if (isNew) {
                 best.push_back(hypothesis);
+                continue;
+            }
+            const NameHypothesis &cheaper = best[its->second];
+            if (const double more = hypothesis.cost - cheaper.cost; more < costOfDoubt)
+                m_decisions[static_cast<std::size_t>(cheaper.decision)].nearlyAsGood.emplace_back(more, hypothesis.decision);
         }
         return best;
     }
 
-    std::vector<std::size_t> namesOfTheBest() const
+    /// Of the tracklets up to a decision.
+    std::vector<std::size_t> namesOf(int decision) const
     {
         std::vector<std::size_t> names(m_evidence.tracklets.size());
-        const auto best = std::min_element(
-            m_hypotheses.begin(), m_hypotheses.end(),
-            [](const NameHypothesis &a, const NameHypothesis &b) { return a.cost < b.cost; });
-        for (int d = best->decision; d != none; d = m_decisions[static_cast<std::size_t>(d)].before) {
-            const NameDecision &decision = m_decisions[static_cast<std::size_t>(d)];
-            names[decision.tracklet] = decision.name;
-        }
+        for (int d = decision; d != none; d = decisionOf(d).before)
+            names[decisionOf(d).tracklet] = decisionOf(d).name;
         return names;
+    }
+
+    /// Of each tracklet up to a decision the one before it of its name in its view, or none.
+    using Links = std::vector<int>;
+    Links linksOf(const std::vector<std::size_t> &names, int decision) const
+    {
+        Links links;
+        std::vector<int> last(m_views * m_robots, none);
+        for (std::size_t t = 0; decision != none && t <= decisionOf(decision).tracklet; ++t) {
+            int &before = last[slotIndex(m_evidence.tracklets[t].view, names[t])];
+            links.push_back(std::exchange(before, static_cast<int>(t)));
+        }
+        return links;
+    }
+
+    /// Where another way links the tracklets otherwise than the best one.
+    void addDoubts(double bestCost, double cost, int decision, const Links &best, std::vector<DoubtfulLink> &doubts) const
+    {
+        if (cost - bestCost >= costOfDoubt)
+            return;
+        const Links other = linksOf(namesOf(decision), decision);
+        for (std::size_t t = 0; t < other.size(); ++t)
+            if (best[t] != none && best[t] != other[t])
+                doubts.push_back({static_cast<std::size_t>(best[t]), t});
     }
 
     const NameEvidence &m_evidence;
@@ -201,7 +257,7 @@ private:
 
 } // namespace
 
-std::vector<std::size_t> searchNames(const NameEvidence &evidence, std::size_t views,
+FoundNames searchNames(const NameEvidence &evidence, std::size_t views,
                                      const NameKnowledge &knowledge)
 {
     return NamesSearch(evidence, views, knowledge).run();

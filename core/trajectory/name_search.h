@@ -18,9 +18,20 @@ struct NameKnowledge
     std::vector<std::vector<Eigen::Vector2d>> looks;
 };
 
-/// For each tracklet of the evidence its name, an index among the robots considered. Tracklets of one view
-/// that overlap in time never share a name.
-std::vector<std::size_t> searchNames(const NameEvidence &evidence, std::size_t views,
+/// Two tracklets of one view that got one name, where another way to name the tracklets explains the evidence nearly as well.
+struct DoubtfulLink
+{
+    std::size_t before = 0, behind = 0;
+};
+
+struct FoundNames
+{
+    std::vector<std::size_t> names; ///< of each tracklet of the evidence: an index among the robots considered
+    std::vector<DoubtfulLink> doubts;
+};
+
+/// The likeliest names. Tracklets of one view that overlap in time never share a name.
+FoundNames searchNames(const NameEvidence &evidence, std::size_t views,
                                      const NameKnowledge &knowledge);
 
 } // namespace odo

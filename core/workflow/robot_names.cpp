@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/robot_names.h"
 
-#include "core/trajectory/name_assignment.h"
-
 namespace odo {
 
-void settleNames(const std::vector<RegisteredView> &views, const std::vector<RobotRecord> &robots,
+std::vector<NameDoubt> settleNames(const std::vector<RegisteredView> &views, const std::vector<RobotRecord> &robots,
                  std::vector<TrackedView> &tracked)
 {
     if (robots.size() < 2)
-        return;
+        return {};
     std::vector<NamedRobot> named;
     for (const RobotRecord &robot : robots)
         named.push_back({robot.colour, shapeOf(robot).heightM});
@@ -22,11 +20,12 @@ void settleNames(const std::vector<RegisteredView> &views, const std::vector<Rob
         for (ObservationSeries &series : tracked[v].series)
             view.robots.push_back(std::move(series.observations));
     }
-    assignNames(seen, named);
+    NameOutcome outcome = assignNames(seen, named);
     for (std::size_t v = 0; v < views.size(); ++v) {
         for (std::size_t r = 0; r < robots.size(); ++r)
             tracked[v].series[r].observations = std::move(seen[v].robots[r]);
     }
+    return std::move(outcome.doubts);
 }
 
 } // namespace odo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/trajectory/name_assignment.h"
 #include "core/workflow/view_tracking.h"
 
 #include <vector>
@@ -8,8 +9,9 @@
 namespace odo {
 
 /// Settles, over all views of a trial, which of the tracked series is which robot (assignNames), before
-/// anything is analysed or stored. The views' offsets must be known. Does nothing for a single robot.
-void settleNames(const std::vector<RegisteredView> &views, const std::vector<RobotRecord> &robots,
+/// anything is analysed or stored. The views' offsets must be known. Does nothing for a single robot. Gives when it could not be told who
+/// is who, by the robots' numbers.
+std::vector<NameDoubt> settleNames(const std::vector<RegisteredView> &views, const std::vector<RobotRecord> &robots,
                  std::vector<TrackedView> &tracked);
 
 } // namespace odo

@@ -31,6 +31,7 @@ struct TrackJob::Impl
     std::vector<TrackedView> stored;      ///< with `again`
     std::vector<std::vector<Sample>> imported; ///< with `again` of imported tracks, one a robot
     std::vector<ObservationSeries> observations;
+    std::vector<NameDoubt> doubts; ///< by the robots' numbers
     TrackOutcome outcome;
 
     Result<void> readOptions(Project &project);
@@ -136,10 +137,9 @@ Result<void> TrackJob::run(const JobControl &control)
     if (!tracked)
         return tl::unexpected(tracked.error());
 
-    if (!d.settings.again) { // what is stored is settled
-        control.report(0.96, "settling which robot is which");
-        settleNames(d.views, d.robots, *tracked);
-    }
+    control.report(0.96, "settling which robot is which");
+    std::vector<TrackedView> settled = d.settings.again ? *tracked : std::vector<TrackedView>(); // what is stored stays as it is
+    d.doubts = settleNames(d.views, d.robots, d.settings.again ? settled : *tracked);
     d.outcome.warnings = stepWarnings(d.trialName, d.views);
     control.report(0.97, "analysing");
     if (auto analysed = d.analyseAll(*tracked); !analysed)
@@ -198,6 +198,12 @@ Result<void> TrackJob::Impl::analyseAll(std::vector<TrackedView> &tracked)
         for (std::string &warning : analysisWarnings(analysis, trialName))
             outcome.warnings.push_back(std::move(warning));
         addOutcome(std::move(analysis));
+        std::vector<NameDoubt> its = doubts;
+        std::erase_if(its, [r](const NameDoubt &doubt) { return doubt.robot != r; });
+        for (const NameDoubt &doubt : its)
+            outcome.robots.back().doubtfulS += doubt.toS - doubt.fromS;
+        if (!its.empty())
+            outcome.warnings.push_back(nameWarning(its, robot.name, trialName));
     }
     return {};
 }

@@ -46,6 +46,14 @@ std::vector<std::string> analysisWarnings(const AnalysisRecord &analysis, const 
     return sentences;
 }
 
+std::string nameWarning(const std::vector<NameDoubt> &doubts, const std::string &robotName, const std::string &trialName)
+{
+    const NameDoubt &first = doubts.front();
+    const std::string more = doubts.size() > 1 ? ", and " + std::to_string(doubts.size() - 1) + " times more," : "";
+    return robotInTrial(robotName, trialName) + ": from " + formatNumber(first.fromS, 2) + " s to " + formatNumber(first.toS, 2) + " s" + more +
+           " it could not be told from another robot of its look, so that it may be that one from then on; give each a colour of its own";
+}
+
 std::vector<std::string> stepWarnings(const std::string &trialName,
                                       const std::vector<const RecordingRecord *> &used)
 {

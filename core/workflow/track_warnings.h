@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/project/records.h"
+#include "core/trajectory/name_assignment.h"
 #include "core/workflow/view_tracking.h"
 
 #include <optional>
@@ -16,6 +17,9 @@ std::string robotInTrial(const std::string &robotName, const std::string &trialN
 /// Whole sentences on an analysis whose results were changed since, or that gave some, but not of all of the task (never of
 /// an imported track). From what is stored, so that they can be told at any time.
 std::vector<std::string> analysisWarnings(const AnalysisRecord &analysis, const std::string &trialName);
+
+/// A whole sentence on a robot that may have been taken for another one of its look, at some time at least.
+std::string nameWarning(const std::vector<NameDoubt> &doubts, const std::string &robotName, const std::string &trialName);
 
 /// Whole sentences on views that are joined although how they lie against one another in time is not known,
 /// or too little: not synchronised, or with a σ of more than 5 ms, which is 5 mm at 1 m/s. `used`: the views

@@ -201,6 +201,32 @@ private Q_SLOTS:
         QCOMPARE(wrong, 0);
     }
 
+    /// While two are one silhouette neither is measured; each is found again as soon as they part, as large as it was.
+    void whatShowsTwoRobotsIsNeither()
+    {
+        const Painter floor = texturedFloor(format);
+        const auto tracker = RobotTracker::create({{"Any 1", {}}, {"Any 2", {}}}, learned(floor));
+        std::mt19937 random(12);
+        int wrong = 0, together = 0, unsure = 0;
+        for (std::int64_t i = 0; i < 60; ++i) {
+            Painter picture = floor;
+            const double x = 40 + 5.0 * double(i), other = 400 - x;
+            const bool touch = std::abs(x - other) < 60;
+            picture.rectangle({x, 150}, {x + 60, 190}, {240, 240, 240});
+            picture.rectangle({other, 170}, {other + 60, 210}, {240, 240, 240});
+            together += touch;
+            const auto seen = (*tracker)->track(picture.frame(i, double(i) / 30, 2, random));
+            const auto isOneOf = [&](const Observation &one) {
+                return (one.ellipse.centrePx - Eigen::Vector2d(x + 30, 170)).norm() < 1 || (one.ellipse.centrePx - Eigen::Vector2d(other + 30, 190)).norm() < 1;
+            };
+            for (const Observation &one : seen) {
+                wrong += one.found == touch || (one.found && !isOneOf(one));
+                unsure += one.found && one.score < 0.5;
+            }
+        }
+        QVERIFY2(together > 8 && wrong <= 4 && unsure == 0, qPrintable(QStringLiteral("%1 %2 %3").arg(together).arg(wrong).arg(unsure)));
+    }
+
     void withoutABackgroundNothingIsFound()
     {
         const auto tracker = RobotTracker::create({{"Any 1", {}}}, {});

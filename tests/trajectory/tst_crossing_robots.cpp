@@ -132,10 +132,10 @@ void TestCrossingRobots::namesAreKept()
     for (const RgbColour colour : colours)
         named.push_back({colour, {}});
     const int before = wrong();
-    const auto renamed = assignNames(views, named);
+    const NameOutcome outcome = assignNames(views, named);
     const int behind = wrong();
     qInfo("%d observations with a wrong name before, %d behind; %lld renamed", before, behind,
-          static_cast<long long>(renamed));
+          static_cast<long long>(outcome.renamed));
     QCOMPARE(behind, 0);
 }
 

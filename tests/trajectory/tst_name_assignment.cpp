@@ -156,6 +156,9 @@ private Q_SLOTS:
     void unlikeColoursAreLeftAlone();
     void wrongOffsetIsNotBelieved();
     void observationsAreKept();
+    void sixOfOneLook();
+    void oneOfTwoIsNamedOnce();
+    void whereNothingDecidesIsDoubtful();
 };
 
 void TestNameAssignment::cutsAtLowScores()
@@ -228,7 +231,7 @@ void TestNameAssignment::bothViewsExchange()
     const std::vector<FilmedView> cameras{{cameraA(), 0, fiveMeetings, {0, 1, 3}},
                                           {cameraB(), 0.02, fiveMeetings, {0, 2, 3}}};
     auto filmed = filmAll(cameras, courses, {red, red}, random);
-    QVERIFY(assignNames(filmed, {{red, 0.06}, {red, 0.06}}) > 0);
+    QVERIFY(assignNames(filmed, {{red, 0.06}, {red, 0.06}}).renamed > 0);
     QCOMPARE(wrongNames(filmed, cameras, courses, true), 0);
 }
 
@@ -280,7 +283,7 @@ void TestNameAssignment::unlikeColoursAreLeftAlone()
     std::mt19937 random(7);
     auto filmed =
         filmAll({{cameraA(), 0, fiveMeetings, {0}}, {cameraB(), 0, {}, {}}}, courses, {red, blue}, random);
-    QCOMPARE(assignNames(filmed, {{red, {}}, {blue, {}}}), std::int64_t(0));
+    QCOMPARE(assignNames(filmed, {{red, {}}, {blue, {}}}).renamed, std::int64_t(0));
 }
 
 void TestNameAssignment::wrongOffsetIsNotBelieved()
@@ -291,7 +294,7 @@ void TestNameAssignment::wrongOffsetIsNotBelieved()
     const std::vector<FilmedView> cameras{{cameraA(), 0, fiveMeetings, {}}, {cameraB(), 1.0, {}, {}}};
     auto filmed = filmAll(cameras, courses, {red, orangeRed}, random);
     filmed[1].startOffset = Nanoseconds{0};
-    QCOMPARE(assignNames(filmed, {{red, 0.06}, {orangeRed, 0.06}}), std::int64_t(0));
+    QCOMPARE(assignNames(filmed, {{red, 0.06}, {orangeRed, 0.06}}).renamed, std::int64_t(0));
 }
 
 void TestNameAssignment::observationsAreKept()
@@ -315,6 +318,61 @@ void TestNameAssignment::observationsAreKept()
                      before[v].robots[2][i].ellipse.centrePx.x());
         }
     }
+}
+
+void TestNameAssignment::sixOfOneLook()
+{
+    std::vector<Course> courses;
+    for (int r = 0; r < 6; ++r)
+        courses.push_back(shuttle(-0.75 + 0.3 * r, r % 2 ? -0.9 : 0.9, 4 + 0.3 * r));
+    std::mt19937 random(10);
+    const std::vector<FilmedView> cameras{{cameraA(), 0, {}, {}}, {cameraB(), 0.02, {}, {}}};
+    auto filmed = filmAll(cameras, courses, std::vector<RgbColour>(6, red), random);
+    std::ranges::rotate(filmed[1].robots, filmed[1].robots.begin() + 2); // the second tracker found them in another order
+    std::swap(filmed[1].robots[0], filmed[1].robots[4]);
+    const NameOutcome outcome = assignNames(filmed, std::vector<NamedRobot>(6));
+    QVERIFY(outcome.renamed > 0);
+    QCOMPARE(outcome.doubts.size(), std::size_t(0));
+    QCOMPARE(wrongNames(filmed, cameras, courses, true), 0);
+}
+
+/// What both views see at one place is one robot, whatever else was told.
+void TestNameAssignment::oneOfTwoIsNamedOnce()
+{
+    std::mt19937 random(11);
+    auto filmed = filmAll({{cameraA(), 0, {}, {}}, {cameraB(), 0, {}, {}}}, {shuttle(0, 0.9, 4), shuttle(0.35, -0.9, 4)}, {red, red}, random);
+    for (NamedView &view : filmed)
+        for (Observation &observation : view.robots[1])
+            observation.found = false;
+    std::swap(filmed[1].robots[0], filmed[1].robots[1]);
+    assignNames(filmed, std::vector<NamedRobot>(2));
+    for (const std::size_t robot : {0u, 1u})
+        QCOMPARE(std::ranges::any_of(filmed[0].robots[robot], &Observation::found), std::ranges::any_of(filmed[1].robots[robot], &Observation::found));
+}
+
+/// Two come together head on, stand, and leave to both sides: nobody who did not see them meanwhile can say who went where.
+void TestNameAssignment::whereNothingDecidesIsDoubtful()
+{
+    const auto meeting = [](double side) -> Course {
+        return [side](double t) {
+            Truth truth;
+            truth.position = {side * (0.06 + 0.3 * std::pow(std::max(0.0, 3 - t), 2) / 2), side * 0.3 * std::pow(std::max(0.0, t - 5), 2) / 2};
+            return truth;
+        };
+    };
+    std::mt19937 random(12);
+    const std::vector<Stretch> together{{2.2, 6}};
+    auto filmed = filmAll({{cameraA(), 0, together, {}}, {cameraB(), 0, together, {}}}, {meeting(1), meeting(-1)}, {red, red}, random);
+    const NameOutcome outcome = assignNames(filmed, std::vector<NamedRobot>(2));
+    QCOMPARE(outcome.doubts.size(), std::size_t(2));
+    for (std::size_t robot = 0; robot < 2; ++robot) {
+        QCOMPARE(outcome.doubts[robot].robot, robot);
+        QVERIFY(std::abs(outcome.doubts[robot].fromS - 2.2) < 0.1);
+        QVERIFY(std::abs(outcome.doubts[robot].toS - 6) < 0.1);
+    }
+    // Passing one another they go on as they came.
+    auto passing = filmAll({{cameraA(), 0, fiveMeetings, {}}, {cameraB(), 0, fiveMeetings, {}}}, {shuttle(0, 0.9, 4), shuttle(0.35, -0.9, 4)}, {red, red}, random);
+    QCOMPARE(assignNames(passing, std::vector<NamedRobot>(2)).doubts.size(), std::size_t(0));
 }
 
 QTEST_GUILESS_MAIN(TestNameAssignment)

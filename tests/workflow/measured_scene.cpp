@@ -3,7 +3,6 @@
 
 #include "core/simulation/renderer.h"
 #include "core/video/video_reader.h"
-#include "core/workflow/view_tracking.h"
 
 #include <QTemporaryDir>
 #include <cmath>
@@ -45,13 +44,12 @@ QString SceneFigures::words() const
         .arg(foundShare, 0, 'f', 3).arg(1e3 * rmsM, 0, 'f', 2).arg(insideShare, 0, 'f', 2).arg(1e3 * velocityRms, 0, 'f', 1).arg(1e3 * accelerationRms, 0, 'f', 0).arg(spikes);
 }
 
-Result<SceneFigures> measuredScene(const SimulatedScene &scene, const std::optional<RgbColour> &colour)
+Result<std::vector<RegisteredView>> renderedViews(const SimulatedScene &scene, const std::filesystem::path &folder)
 {
-    const QTemporaryDir folder;
     std::vector<RegisteredView> views;
     for (std::size_t camera = 0; camera < scene.cameras.size(); ++camera) {
         RegisteredView view;
-        view.file = folder.filePath(QString::number(camera) + QStringLiteral(".mp4")).toStdString();
+        view.file = folder / (std::to_string(camera) + ".mp4");
         if (auto rendered = renderVideo(scene, int(camera), view.file, {}, {}); !rendered)
             return tl::unexpected(rendered.error());
         const auto reader = VideoReader::open(view.file);
@@ -63,13 +61,22 @@ Result<SceneFigures> measuredScene(const SimulatedScene &scene, const std::optio
         view.floorView = scene.cameras[camera].view;
         views.push_back(std::move(view));
     }
+    return views;
+}
+
+Result<SceneFigures> measuredScene(const SimulatedScene &scene, const std::optional<RgbColour> &colour)
+{
+    const QTemporaryDir folder;
+    const auto views = renderedViews(scene, folder.path().toStdString());
+    if (!views)
+        return tl::unexpected(views.error());
     RobotRecord robot;
     robot.name = scene.robots.front().name;
     robot.colour = colour;
-    auto tracked = trackViews(views, {robot}, {});
+    auto tracked = trackViews(*views, {robot}, {});
     if (!tracked)
         return tl::unexpected(tracked.error());
-    const auto profile = analyse(takeViewTracks(views, *tracked, 0), shapeOf(robot), {});
+    const auto profile = analyse(takeViewTracks(*views, *tracked, 0), shapeOf(robot), {});
     if (!profile)
         return tl::unexpected(profile.error());
     return compared(*profile, scene);

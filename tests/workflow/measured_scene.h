@@ -3,8 +3,11 @@
 
 #include "core/base/error.h"
 #include "core/simulation/scene.h"
+#include "core/workflow/view_tracking.h"
 
 #include <QString>
+#include <filesystem>
+#include <vector>
 
 namespace odo::test {
 
@@ -19,6 +22,9 @@ struct SceneFigures
 
     QString words() const;
 };
+
+/// The scene's videos, rendered into a folder, of cameras that are known exactly.
+Result<std::vector<RegisteredView>> renderedViews(const SimulatedScene &scene, const std::filesystem::path &folder);
 
 /// Renders the scene's videos, tracks and analyses them by cameras that are known exactly. colour: told, or none.
 Result<SceneFigures> measuredScene(const SimulatedScene &scene, const std::optional<RgbColour> &colour = {});
