@@ -6619,6 +6619,10 @@
         <source>give each a colour of its own</source>
         <translation>geben Sie jedem eine eigene Farbe</translation>
     </message>
+    <message>
+        <source>track only the robots that are in the pictures (--robot)</source>
+        <translation>messen Sie nur die Roboter, die in den Bildern sind (--robot)</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6619,6 +6619,10 @@
         <source>give each a colour of its own</source>
         <translation>dé a cada uno un color propio</translation>
     </message>
+    <message>
+        <source>track only the robots that are in the pictures (--robot)</source>
+        <translation>siga solo los robots que están en las imágenes (--robot)</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

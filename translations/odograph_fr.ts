@@ -6619,6 +6619,10 @@
         <source>give each a colour of its own</source>
         <translation>donnez à chacun une couleur à lui</translation>
     </message>
+    <message>
+        <source>track only the robots that are in the pictures (--robot)</source>
+        <translation>ne suivez que les robots qui sont dans les images (--robot)</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

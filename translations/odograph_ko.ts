@@ -6617,6 +6617,10 @@
         <source>give each a colour of its own</source>
         <translation>각 로봇에 고유한 색을 주십시오</translation>
     </message>
+    <message>
+        <source>track only the robots that are in the pictures (--robot)</source>
+        <translation>영상에 있는 로봇만 추적하십시오 (--robot)</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

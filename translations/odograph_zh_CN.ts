@@ -6617,6 +6617,10 @@
         <source>give each a colour of its own</source>
         <translation>请给每个机器人一种自己的颜色</translation>
     </message>
+    <message>
+        <source>track only the robots that are in the pictures (--robot)</source>
+        <translation>请只跟踪画面中的机器人 (--robot)</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -186,6 +186,11 @@ Result<void> TrackJob::Impl::analyseAll(std::vector<TrackedView> &tracked)
         if (!analysed) {
             Error error = analysed.error();
             error.what = robotInTrial(robot.name, trialName);
+            bool isAnotherSeen = false;
+            for (std::size_t other = 0; imported.empty() && other < robots.size(); ++other)
+                isAnotherSeen = isAnotherSeen || isEverSeen(views, tracked, other);
+            if (isAnotherSeen && !isEverSeen(views, tracked, r))
+                error.advice = "track only the robots that are in the pictures (--robot)";
             return tl::unexpected(floorColour ? floorColour->error : error);
         }
         analysis.task = task ? task->id : 0;

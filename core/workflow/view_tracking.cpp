@@ -162,16 +162,6 @@ double explainedShareOf(const std::vector<RegisteredView> &views, std::vector<Tr
     return share;
 }
 
-bool isEverSeen(const std::vector<RegisteredView> &views, const std::vector<TrackedView> &tracked, std::size_t robot)
-{
-    for (std::size_t v = 0; v < views.size(); ++v) {
-        const auto &observations = tracked[v].series[robot].observations;
-        if (views[v].floorView && std::ranges::any_of(observations, &Observation::found))
-            return true;
-    }
-    return false;
-}
-
 } // namespace
 
 Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &views,
@@ -207,6 +197,16 @@ Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &v
             (*tracked)[v].series[r] = std::move((*whole)[v].series[r]);
     }
     return tracked;
+}
+
+bool isEverSeen(const std::vector<RegisteredView> &views, const std::vector<TrackedView> &tracked, std::size_t robot)
+{
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        const auto &observations = tracked[v].series[robot].observations;
+        if (views[v].floorView && std::ranges::any_of(observations, &Observation::found))
+            return true;
+    }
+    return false;
 }
 
 std::vector<ViewTrack> takeViewTracks(const std::vector<RegisteredView> &views, std::vector<TrackedView> &tracked,

@@ -33,6 +33,9 @@ Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &v
                                             const std::vector<RobotRecord> &robots, const JobControl &control,
                                             WithLight light = WithLight::Ignored);
 
+/// Whether any registered view found a robot, by its number, in any frame.
+bool isEverSeen(const std::vector<RegisteredView> &views, const std::vector<TrackedView> &tracked, std::size_t robot);
+
 /// One robot's part of what trackViews gave, ready to be analysed. Its observations are moved there, not copied: an
 /// hour of them is 16 MB a view. returnObservations gives them back.
 std::vector<ViewTrack> takeViewTracks(const std::vector<RegisteredView> &views, std::vector<TrackedView> &tracked,

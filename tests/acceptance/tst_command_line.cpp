@@ -240,6 +240,11 @@ private Q_SLOTS:
         QVERIFY2(dull.err.contains("robot 'dull' in trial 'leaving': its colour #b5a898 is also that of the floor (") &&
                      dull.err.contains("; put a plate of another colour on it, or tell the colour it really has"),
                  dull.err);
+        QCOMPARE(good("robot add %P absent --colour #20c040").exitStatus, 0);
+        const ProgramRun absent = runProgram(filled(QStringLiteral("track %P leaving --robot red --robot absent")));
+        QCOMPARE(absent.exitStatus, 1);
+        QCOMPARE(absent.err, QByteArray("odograph: robot 'absent' in trial 'leaving': the robot was not found in any picture of A; track only the robots that "
+                                        "are in the pictures (--robot)\n"));
     }
 
     void badCallsFailInOneLine_data()

@@ -43,6 +43,7 @@ std::span<const CorePattern> errorsTracking()
         {QT_TRANSLATE_NOOP("CoreWords", "view %1 has no frame")},
         {QT_TRANSLATE_NOOP("CoreWords", "track the trial's videos first")},
         {QT_TRANSLATE_NOOP("CoreWords", "the robot was not found in any picture of %1"), "", "1"},
+        {QT_TRANSLATE_NOOP("CoreWords", "track only the robots that are in the pictures (--robot)")},
         {QT_TRANSLATE_NOOP("CoreWords", "check that the robot moves in the pictures, that a colour that was told is the one it has there, and that the light is sufficient")},
         {QT_TRANSLATE_NOOP("CoreWords", "only cameras that are not registered to the floor saw the robot")},
         {QT_TRANSLATE_NOOP("CoreWords", "its height is to be triangulated, but two registered views hardly ever saw it together")},
