@@ -17,6 +17,7 @@ constexpr double hopelessCost = 60.0; ///< behind the best hypothesis
 constexpr double mostFloorCost = 6.0, floorWeight = 0.2;
 constexpr double hueSigmaRad = 0.09, mostHueCost = 12.0;
 constexpr double leastLookSigma = 3.0, relativeLookSigma = 0.05, mostLookCost = 10.0;
+constexpr double costOfBeginning = 6.0; ///< of a name that a view has not seen yet: mostly a robot that was lost comes back
 constexpr double costOfRenaming = 0.05; ///< the tracker's own choice is as good where nothing else tells
 
 constexpr double costOfDoubt = 3.0; ///< by which one way is surely better than another: of e^3 = 20 to 1
@@ -123,6 +124,8 @@ private:
         if (last != none)
             cost += costOfJoining(m_evidence.tracklets[static_cast<std::size_t>(last)].tracklet.end,
                                   begun.tracklet.begin);
+        else if (!m_evidence.toldHueRad[name])
+            cost += costOfBeginning;
         if (hypothesis.state[slotIndex(begun.view, begun.slot)] != static_cast<int>(name))
             cost += costOfRenaming;
         return cost;
@@ -257,8 +260,7 @@ private:
 
 } // namespace
 
-FoundNames searchNames(const NameEvidence &evidence, std::size_t views,
-                                     const NameKnowledge &knowledge)
+FoundNames searchNames(const NameEvidence &evidence, std::size_t views, const NameKnowledge &knowledge)
 {
     return NamesSearch(evidence, views, knowledge).run();
 }

@@ -25,7 +25,7 @@ constexpr double impossible = 1e3; // a residual, where the solid would lie behi
 constexpr double guessM = 0.2, guessHeightM = 0.1;
 // A simpler solid is taken unless another explains the outlines so much better.
 constexpr double clearlyBetter = 0.7;
-constexpr double likelyBaseShare = 0.1;
+constexpr double firstBaseShare = 0.1; // where the search for a clearance begins
 constexpr double likelyClearanceM = 0.015; // of most classroom robots; it matters only where one view alone saw the robot, whose size was not told
 constexpr double clearBaseGain = 2; // of χ²/2, by which a clearance of two of its σ is better than none
 constexpr double leastKnownSigmaM = 0.02; // of the top: else the solid is one of many that look alike
@@ -242,10 +242,10 @@ std::vector<ShapeCandidate> candidatesFor(const std::vector<CommonOutlines> &tim
 
 /// A solid that stands on the floor, fitted once more with an unknown clearance. Where the outlines do not show one clearly, the solid stays, and by how much the
 /// clearance would put its middle elsewhere is doubt.
-void raise(ShapeFit &standing, const std::vector<CommonOutlines> &times, ShapeCandidate candidate)
+void findClearance(ShapeFit &standing, const std::vector<CommonOutlines> &times, ShapeCandidate candidate)
 {
     candidate.form = standing.form;
-    candidate.form[BaseShare] = likelyBaseShare;
+    candidate.form[BaseShare] = firstBaseShare;
     candidate.likelyClearanceM = likelyClearanceM;
     std::erase(candidate.constant, int(BaseShare));
     const auto raised = fitSolid(times, candidate);
@@ -284,7 +284,7 @@ std::optional<ShapeEstimate> estimateShape(const std::vector<ViewTrack> &views, 
     if (!best)
         return std::nullopt;
     if (bestCandidate.form[BaseShare] == 0)
-        raise(*best, times, bestCandidate);
+        findClearance(*best, times, bestCandidate);
     return ShapeEstimate{best->solid, best->sigmaTopM, best->sigmaMiddleM, !told.heightM, best->misfit};
 }
 

@@ -158,6 +158,7 @@ private Q_SLOTS:
     void observationsAreKept();
     void sixOfOneLook();
     void oneOfTwoIsNamedOnce();
+    void whoComesBackIsNoOther();
     void whereNothingDecidesIsDoubtful();
 };
 
@@ -348,6 +349,26 @@ void TestNameAssignment::oneOfTwoIsNamedOnce()
     assignNames(filmed, std::vector<NamedRobot>(2));
     for (const std::size_t robot : {0u, 1u})
         QCOMPARE(std::ranges::any_of(filmed[0].robots[robot], &Observation::found), std::ranges::any_of(filmed[1].robots[robot], &Observation::found));
+}
+
+/// A robot that was lost and has turned meanwhile, of two that were told.
+void TestNameAssignment::whoComesBackIsNoOther()
+{
+    const Course turning = [](double t) { return Truth{t < 3 ? Vector2d(-0.9 + 0.5 * t, 0) : Vector2d(0.6 - 0.4 * (t - 3), 0.1), {}, {}}; };
+    std::mt19937 random(13);
+    auto filmed = filmAll({{cameraA(), 0, {}, {}}, {cameraB(), 0, {}, {}}}, {turning, shuttle(0.35, -0.9, 4)}, {red, red}, random);
+    for (NamedView &view : filmed)
+        for (std::size_t i = 0; i < view.robots[0].size(); ++i) {
+            const double timeS = toSeconds(view.robots[0][i].time);
+            view.robots[1][i].found = false;
+            if (timeS > 2.8 && timeS < 3.3)
+                view.robots[0][i].found = false;
+            if (timeS >= 3.3)
+                std::swap(view.robots[0][i], view.robots[1][i]); // the tracker took the other slot for it
+        }
+    assignNames(filmed, std::vector<NamedRobot>(2));
+    for (const NamedView &view : filmed)
+        QVERIFY(std::ranges::none_of(view.robots[0], &Observation::found) || std::ranges::none_of(view.robots[1], &Observation::found));
 }
 
 /// Two come together head on, stand, and leave to both sides: nobody who did not see them meanwhile can say who went where.
