@@ -137,9 +137,10 @@ Result<void> TrackJob::run(const JobControl &control)
     if (!tracked)
         return tl::unexpected(tracked.error());
 
-    control.report(0.96, "settling which robot is which");
-    std::vector<TrackedView> settled = d.settings.again ? *tracked : std::vector<TrackedView>(); // what is stored stays as it is
-    d.doubts = settleNames(d.views, d.robots, d.settings.again ? settled : *tracked);
+    if (!d.settings.again) { // what is stored is settled
+        control.report(0.96, "settling which robot is which");
+        d.doubts = settleNames(d.views, d.robots, *tracked);
+    }
     d.outcome.warnings = stepWarnings(d.trialName, d.views);
     control.report(0.97, "analysing");
     if (auto analysed = d.analyseAll(*tracked); !analysed)
@@ -203,10 +204,13 @@ Result<void> TrackJob::Impl::analyseAll(std::vector<TrackedView> &tracked)
         for (std::string &warning : analysisWarnings(analysis, trialName))
             outcome.warnings.push_back(std::move(warning));
         addOutcome(std::move(analysis));
+        if (settings.again)
+            continue;
         std::vector<NameDoubt> its = doubts;
         std::erase_if(its, [r](const NameDoubt &doubt) { return doubt.robot != r; });
+        double &doubtfulS = outcome.robots.back().doubtfulS.emplace(0);
         for (const NameDoubt &doubt : its)
-            outcome.robots.back().doubtfulS += doubt.toS - doubt.fromS;
+            doubtfulS += doubt.toS - doubt.fromS;
         if (!its.empty())
             outcome.warnings.push_back(nameWarning(its, robot.name, trialName));
     }

@@ -30,7 +30,7 @@ struct TrackedRobot
     std::int64_t frames = 0;  ///< of the first view
     std::int64_t tracked = 0; ///< of them, with a position
     bool isFoundByColour = false;
-    double doubtfulS = 0; ///< for how long it could not be told from others of its look
+    std::optional<double> doubtfulS; ///< for how long it could not be told from others of its look; empty with `again`
     AnalysisRecord analysis;
 };
 
