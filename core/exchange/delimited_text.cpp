@@ -17,10 +17,10 @@ constexpr long double mostSeconds = 4e9L; // the year 2096; nanoseconds of 64 bi
 template <class Number>
 std::optional<Number> numberOf(std::string_view cell, char delimiter)
 {
-    std::array<char, 64> copy{};
+    std::array<char, 65> copy{}; // ends with a zero: libstdc++ looks for one beyond the end it is given
     if (cell.starts_with('+'))
         cell.remove_prefix(1); // from_chars knows none
-    if (cell.empty() || cell.size() > copy.size())
+    if (cell.empty() || cell.size() >= copy.size())
         return std::nullopt;
     std::copy(cell.begin(), cell.end(), copy.begin());
     if (delimiter != ',')

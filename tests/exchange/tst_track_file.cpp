@@ -58,6 +58,7 @@ private Q_SLOTS:
         row("TUM", "# timestamp tx ty tz qx qy qz qw\n0 0 -1 0 0 0 0 1\n0.1 0.5 -1.5 0 0 0 0 1\n\n0.2 1 -2 0 0 0 0 1\n", "tum");
         row("TUM of another line end and parted by tabs", "0\t0\t-1\t0\t0\t0\t0\t1\r\n0.1\t.5\t-1.5\t0\t0\t0\t0\t1\r\n2e-1\t1\t-2\t0\t0\t0\t0\t1", "tum");
         row("CSV", "t_s,x_mm,y_mm\n0,0,-1000\n0.1,500,-1500\n0.2,1000,-2000\n", "csv");
+        row("64 digits", "t_s,x_mm,y_mm\n0.00000000000000000000000000000000000000000000000000000000000000,0,-1000\n0.1,500,-1500\n0.2,1000,-2000\n", "csv");
         row("continental", "\xef\xbb\xbft_s;x_mm;y_mm\r\n0;0;-1000\r\n0,1;500,0;-1500\r\n0,2;1000;-2000,000\r\n", "csv");
         row("spreadsheet with units", "t [s],x [m],y [m]\n0,0,-1\n0.1,0.5,-1.5\n0.2,1,-2\n", "csv");
         row("other units", "time (ms);x/cm;y [mm]\n0;0;-1000\n100;50;-1500\n200;100;-2000\n", "csv");
@@ -133,6 +134,8 @@ private Q_SLOTS:
         row("NaN in TUM", tum + "1 nan 2 0 0 0 0 1\n", ":2: 'nan' is not a finite number; write it with digits, like 12.5, or leave the place blank");
         row("NaN in CSV", csv + "1,NaN,2\n", ":3: 'NaN' is not a finite number; write it with digits, like 12.5, or leave the place blank");
         row("too large for a number", csv + "1,1e999,2\n", ":3: '1e999' is not a finite number; write it with digits, like 12.5, or leave the place blank");
+        const QByteArray letters = "nan" + QByteArray(61, '_'); // as many as a number may have; what follows them is not looked at
+        row("a time of 64 letters", csv + letters + ",1,2\n", (":3: '" + letters.left(40).toStdString() + "' is not a time; write it with digits, like 12.5").c_str());
         row("no time", csv + ",1,2\n", ":3: '' is not a time; write it with digits, like 12.5");
         row("a time of no age", tum + "1e300 1 2 0 0 0 0 1\n", ":2: '1e300' is not a time in seconds; write it with digits, like 12.5");
         row("times with more between them than is counted", "t,x,y\n-9e9,0,0\n9e9,1,1\n", ":2: '-9e9' is not a time; write it with digits, like 12.5");
