@@ -104,6 +104,11 @@ QJsonArray vectorJson(const Eigen::VectorXd &vector)
     return array;
 }
 
+QJsonValue optionalJson(const std::optional<double> &value)
+{
+    return value ? QJsonValue(*value) : QJsonValue();
+}
+
 QJsonArray metricsJson(const std::vector<Metric> &metrics)
 {
     QJsonArray array;
@@ -111,7 +116,7 @@ QJsonArray metricsJson(const std::vector<Metric> &metrics)
         array.append(QJsonObject{{QStringLiteral("name"), QString::fromStdString(metric.name)},
                                  {QStringLiteral("unit"), QString::fromStdString(metric.unit)},
                                  {QStringLiteral("value"), metric.value},
-                                 {QStringLiteral("sigma"), metric.sigma ? QJsonValue(*metric.sigma) : QJsonValue()}});
+                                 {QStringLiteral("sigma"), optionalJson(metric.sigma)}});
     return array;
 }
 

@@ -17,6 +17,8 @@ QJsonObject recordingJson(const RecordingRecord &recording);
 QJsonArray vectorJson(const Eigen::VectorXd &vector);
 QJsonArray metricsJson(const std::vector<Metric> &metrics);
 QJsonArray spikesJson(const std::vector<Spike> &spikes);
+/// null where there is none.
+QJsonValue optionalJson(const std::optional<double> &value);
 QJsonArray sentencesJson(const std::vector<std::string> &sentences);
 
 /// By the clock on the wall here, to the second: "2026-11-23T15:04:05".

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/task_answers.h"
 
+#include "app/json_answers.h"
 #include "core/trajectory/gate_passages.h"
 
 #include <QJsonArray>
@@ -96,7 +97,7 @@ void insertTaskAnswers(QJsonObject &robot, const Profile &profile)
             continue;
         const QString figure = name.mid(QStringLiteral("cross_track_").size()) + QStringLiteral("_mm");
         path.insert(figure, metric.value);
-        path.insert(QStringLiteral("sigma_") + figure, metric.sigma ? QJsonValue(*metric.sigma) : QJsonValue());
+        path.insert(QStringLiteral("sigma_") + figure, optionalJson(metric.sigma));
     }
     if (!path.isEmpty())
         robot.insert(QStringLiteral("path"), path);

@@ -9,8 +9,6 @@ namespace odo {
 
 namespace {
 
-QJsonValue optionalJson(const std::optional<double> &value) { return value ? QJsonValue(*value) : QJsonValue(); }
-
 QJsonObject changeJson(const ProfileChange &change)
 {
     QJsonArray metrics;

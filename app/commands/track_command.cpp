@@ -25,7 +25,7 @@ QJsonObject robotJson(const TrackedRobot &robot)
                      {QStringLiteral("mean_speed_m_s"), metricValue(profile, "mean_speed")},
                      {QStringLiteral("max_speed_m_s"), metricValue(profile, "max_speed")}};
     json.insert(QStringLiteral("clearance_mm"), profile.clearanceM ? QJsonValue(toMillimetres(*profile.clearanceM)) : QJsonValue());
-    json.insert(QStringLiteral("doubtful_s"), robot.doubtfulS ? QJsonValue(*robot.doubtfulS) : QJsonValue());
+    json.insert(QStringLiteral("doubtful_s"), optionalJson(robot.doubtfulS));
     insertTaskAnswers(json, profile);
     return json;
 }

@@ -59,11 +59,6 @@ bool lies(const PixelRect &box, const Eigen::Vector2d &at)
     return at.x() >= box.x0 && at.x() < box.x1 && at.y() >= box.y0 && at.y() < box.y1;
 }
 
-bool contains(const PixelRect &outer, const PixelRect &inner)
-{
-    return outer.x0 <= inner.x0 && outer.y0 <= inner.y0 && outer.x1 >= inner.x1 && outer.y1 >= inner.y1;
-}
-
 /// Whether a mean colour is mostly one: parts without a colour only draw it toward grey.
 bool isMostly(const Chroma &mean, const Chroma &colour)
 {
@@ -149,7 +144,7 @@ void SilhouetteTracker::Impl::addWholes(std::vector<SeenSilhouette> &seen)
 /// What goes along beside others like it is one part of a robot (a wheel), though it was found alone.
 void SilhouetteTracker::Impl::takeWholeInstead(Followed &robot, SeenSilhouette &taken) const
 {
-    const auto whole = std::ranges::find_if(wholes, [&taken](const SeenSilhouette &one) { return contains(one.box, taken.box); });
+    const auto whole = std::ranges::find_if(wholes, [&taken](const SeenSilhouette &one) { return one.box.contains(taken.box); });
     const bool isPart = taken.regions == 1 && whole != wholes.end();
     robot.besideAlike = isPart ? robot.besideAlike + 1 : 0;
     if (robot.besideAlike < mostBesideAlike)
@@ -191,7 +186,7 @@ void SilhouetteTracker::Impl::assign(const Frame &frame, std::vector<SeenSilhoue
         seen.erase(seen.begin() + std::ptrdiff_t(silhouette));
         takeWholeInstead(robots[robot], taken);
         // Its parts, and what it is a part of, are no robots besides.
-        std::erase_if(seen, [&taken](const SeenSilhouette &one) { return !one.box.clipped(taken.box).isEmpty() && (contains(taken.box, one.box) || contains(one.box, taken.box)); });
+        std::erase_if(seen, [&taken](const SeenSilhouette &one) { return taken.box.contains(one.box) || one.box.contains(taken.box); });
         accept(robots[robot], taken, timeS, last[robot]);
     };
     const auto cueOf = [cues](std::size_t robot) { return robot < cues.size() ? cues[robot] : SilhouetteCue(); };

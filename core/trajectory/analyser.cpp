@@ -148,13 +148,13 @@ void doubtUnexplained(const std::vector<ViewTrack> &views, std::vector<std::vect
 {
     constexpr double shareOfRadius = 0.7;
     for (std::size_t v = 0; v < views.size(); ++v) {
-        std::vector<double> radii;
+        double largestPx = 0;
         for (const Observation &observation : views[v].observations)
             if (observation.found && !observation.supportPx.empty())
-                radii.push_back(std::sqrt(observation.areaPx / std::numbers::pi));
-        if (radii.empty() || !views[v].floorView)
+                largestPx = std::max(largestPx, observation.areaPx);
+        if (largestPx == 0 || !views[v].floorView)
             continue;
-        const double radiusPx = *std::ranges::max_element(radii);
+        const double radiusPx = std::sqrt(largestPx / std::numbers::pi);
         const Eigen::Vector3d camera = views[v].floorView->cameraInWorld();
         const double focalPx = views[v].floorView->camera().intrinsics().fxPx;
         for (Sighting &sighting : sightings[v]) {

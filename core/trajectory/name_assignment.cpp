@@ -134,7 +134,10 @@ public:
     {
         std::vector<Pair> all;
         for (const FloorMoment &moment : m_evidence.moments)
-            addPairs(moment, all);
+            forEachTwo(moment, [&](const FloorSight &one, const FloorSight &other) {
+                if (m_names[*one.tracklet] == m_names[*other.tracklet])
+                    all.push_back({one.onFloor - other.onFloor, one.perMetreHeight - other.perMetreHeight});
+            });
         return all;
     }
 
@@ -161,20 +164,6 @@ public:
 private:
     std::size_t robots() const { return m_evidence.toldHueRad.size(); }
 
-    void addPairs(const FloorMoment &moment, std::vector<Pair> &all) const
-    {
-        for (std::size_t a = 0; a < m_views; ++a) {
-            for (std::size_t b = a + 1; b < m_views; ++b) {
-                for (const FloorSight &one : moment.sights[a]) {
-                    for (const FloorSight &other : moment.sights[b]) {
-                        if (one.seen && other.seen && one.tracklet && other.tracklet && m_names[*one.tracklet] == m_names[*other.tracklet])
-                            all.push_back({one.onFloor - other.onFloor, one.perMetreHeight - other.perMetreHeight});
-                    }
-                }
-            }
-        }
-    }
-
     const NameEvidence &m_evidence;
     const std::vector<std::size_t> &m_names;
     const std::size_t m_views;
@@ -200,8 +189,7 @@ double disagreementOf(const std::vector<Lessons::Pair> &pairs, double planeM)
     return distances.empty() ? 0 : upperMedian(std::move(distances));
 }
 
-FoundNames decideNames(const NameEvidence &evidence, std::size_t views,
-                                     std::optional<double> toldPlaneM)
+FoundNames decideNames(const NameEvidence &evidence, std::size_t views, std::optional<double> toldPlaneM)
 {
     NameKnowledge knowledge;
     knowledge.planeM = toldPlaneM.value_or(usualPlaneM);

@@ -87,7 +87,7 @@ std::vector<FloorMoment> gatherMoments(const std::vector<NamedView> &views,
     return moments;
 }
 
-/// Tells of all sights which tracklet they show.
+/// Tells of all sights that saw something which tracklet they show.
 void addTracklets(NameEvidence &evidence)
 {
     std::size_t next = 0;
@@ -97,7 +97,7 @@ void addTracklets(NameEvidence &evidence)
             newest[{evidence.tracklets[next].view, evidence.tracklets[next].slot}] = next;
         for (const auto &[place, index] : newest) {
             const auto &[view, slot] = place;
-            if (slot < moment.sights[view].size() && evidence.tracklets[index].tracklet.end.timeS >= moment.timeS)
+            if (slot < moment.sights[view].size() && moment.sights[view][slot].seen && evidence.tracklets[index].tracklet.end.timeS >= moment.timeS)
                 moment.sights[view][slot].tracklet = index;
         }
     }

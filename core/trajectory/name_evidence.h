@@ -20,7 +20,7 @@ struct TrackletOf
 struct FloorSight
 {
     bool seen = false;
-    std::optional<std::size_t> tracklet; ///< of the evidence, that was seen there
+    std::optional<std::size_t> tracklet; ///< of the evidence, that was seen there; none where it is too short for one
     Eigen::Vector2d onFloor = Eigen::Vector2d::Zero(), perMetreHeight = Eigen::Vector2d::Zero();
 
     Eigen::Vector2d at(double heightM) const { return onFloor + heightM * perMetreHeight; }
@@ -32,6 +32,18 @@ struct FloorMoment
     double timeS = 0;
     std::vector<std::vector<FloorSight>> sights;
 };
+
+/// Calls look(one, other) with each two sights of two views that show a tracklet each.
+template <class Look>
+void forEachTwo(const FloorMoment &moment, const Look &look)
+{
+    for (std::size_t a = 0; a < moment.sights.size(); ++a)
+        for (std::size_t b = a + 1; b < moment.sights.size(); ++b)
+            for (const FloorSight &one : moment.sights[a])
+                for (const FloorSight &other : moment.sights[b])
+                    if (one.tracklet && other.tracklet)
+                        look(one, other);
+}
 
 /// What there is to decide the names of some robots from. Slots index the robots given, in all views.
 struct NameEvidence

@@ -89,19 +89,14 @@ private:
     /// What a moment adds to the costs of two views' tracklets.
     void addApart(const FloorMoment &moment)
     {
-        for (std::size_t a = 0; a < m_views; ++a)
-            for (std::size_t b = a + 1; b < m_views; ++b)
-                for (const FloorSight &one : moment.sights[a])
-                    for (const FloorSight &other : moment.sights[b]) {
-                        if (!one.seen || !other.seen || !one.tracklet || !other.tracklet)
-                            continue;
-                        const Eigen::Vector2d apart = one.at(m_knowledge.planeM) - other.at(m_knowledge.planeM);
-                        const double cost = 0.5 * apart.squaredNorm() / (m_knowledge.floorSigmaM * m_knowledge.floorSigmaM);
-                        const auto &[earlier, later] = std::minmax(*one.tracklet, *other.tracklet);
-                        CostOfTwo &both = m_apart[later][earlier];
-                        both.ofOneName += floorWeight * std::min(mostFloorCost, cost);
-                        both.ofTwoNames += floorWeight * mostFloorCost * std::exp(-cost);
-                    }
+        forEachTwo(moment, [&](const FloorSight &one, const FloorSight &other) {
+            const Eigen::Vector2d apart = one.at(m_knowledge.planeM) - other.at(m_knowledge.planeM);
+            const double cost = 0.5 * apart.squaredNorm() / (m_knowledge.floorSigmaM * m_knowledge.floorSigmaM);
+            const auto &[earlier, later] = std::minmax(*one.tracklet, *other.tracklet);
+            CostOfTwo &both = m_apart[later][earlier];
+            both.ofOneName += floorWeight * std::min(mostFloorCost, cost);
+            both.ofTwoNames += floorWeight * mostFloorCost * std::exp(-cost);
+        });
     }
 
     /// How far a tracklet lies from those of other views that have the name, and how near to those that have another, for as long as both are seen.
