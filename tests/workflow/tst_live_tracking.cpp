@@ -209,9 +209,10 @@ void TestLiveTracking::aRobotOfAnyLookIsFoundOnceItHasMoved()
     drive.play(0, 6);
     live->reset();
     const auto [rms, count] = drive.positionRms();
-    // The place is learned while it leaves its own first place; the silhouette's centre stands for that of the solid.
-    QVERIFY2(count > 100, qPrintable(QString::number(count)));
-    QVERIFY2(rms < 0.04, qPrintable(QString::number(rms)));
+    // The background is learned while it leaves its own first place, at the latest when half of the run is over; each view
+    // learns in its own thread, so that the first place differs by a few frames from run to run.
+    QVERIFY2(count >= 90, qPrintable(QString::number(count)));
+    QVERIFY2(rms < 0.01, qPrintable(QString::number(rms)));
 }
 
 void TestLiveTracking::whatIsTooFastIsDroppedAndCounted()
