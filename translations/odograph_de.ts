@@ -12261,6 +12261,17 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>odo::ReviewDesk</name>
+    <message>
+        <source>&amp;Silhouettes of the robots</source>
+        <translation>&amp;Silhouetten der Roboter</translation>
+    </message>
+    <message>
+        <source>Outline what was taken for a robot in each view</source>
+        <translation>Zeichnet in jeder Ansicht den Umriss dessen, was für einen Roboter gehalten wurde</translation>
+    </message>
+</context>
+<context>
     <name>odo::ReviewPage</name>
     <message>
         <source>No trials yet</source>

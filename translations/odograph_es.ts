@@ -12261,6 +12261,17 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>odo::ReviewDesk</name>
+    <message>
+        <source>&amp;Silhouettes of the robots</source>
+        <translation>&amp;Siluetas de los robots</translation>
+    </message>
+    <message>
+        <source>Outline what was taken for a robot in each view</source>
+        <translation>Dibuja en cada vista el contorno de lo que se tomó por un robot</translation>
+    </message>
+</context>
+<context>
     <name>odo::ReviewPage</name>
     <message>
         <source>No trials yet</source>

@@ -12261,6 +12261,17 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>odo::ReviewDesk</name>
+    <message>
+        <source>&amp;Silhouettes of the robots</source>
+        <translation>&amp;Silhouettes des robots</translation>
+    </message>
+    <message>
+        <source>Outline what was taken for a robot in each view</source>
+        <translation>Trace dans chaque vue le contour de ce qui a été pris pour un robot</translation>
+    </message>
+</context>
+<context>
     <name>odo::ReviewPage</name>
     <message>
         <source>No trials yet</source>

@@ -12242,6 +12242,17 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
+    <name>odo::ReviewDesk</name>
+    <message>
+        <source>&amp;Silhouettes of the robots</source>
+        <translation>로봇의 실루엣(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Outline what was taken for a robot in each view</source>
+        <translation>각 화면에서 로봇으로 여긴 부분의 윤곽선을 그립니다</translation>
+    </message>
+</context>
+<context>
     <name>odo::ReviewPage</name>
     <message>
         <source>No trials yet</source>

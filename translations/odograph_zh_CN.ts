@@ -12242,6 +12242,17 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
+    <name>odo::ReviewDesk</name>
+    <message>
+        <source>&amp;Silhouettes of the robots</source>
+        <translation>机器人的轮廓(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Outline what was taken for a robot in each view</source>
+        <translation>在每个视图中描出被当作机器人的部分的轮廓</translation>
+    </message>
+</context>
+<context>
     <name>odo::ReviewPage</name>
     <message>
         <source>No trials yet</source>

@@ -137,7 +137,7 @@ void CompareDesk::showViews()
         picture.setTitle(run == 0 ? tr("First") : tr("Second"));
         picture.setRemark(QString::fromStdString(m_scene->name(run)));
         picture.setBadge({}); // how well it is registered stands in Review; the names need the room
-        picture.setTrailColour(onPicture(run));
+        picture.setRobotColour(onPicture(run));
         picture.setOverlay([scene = m_scene, run](QPainter &painter, std::size_t shown, std::int64_t frame,
                                                   const PictureMap &map) {
             const TrialScene &own = *scene->scenes[run];

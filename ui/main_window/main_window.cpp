@@ -328,7 +328,7 @@ void MainWindow::showDesk(Mode mode)
     DockDesk *desk = &m_pages->review().desk();
     if (mode == Mode::Compare)
         desk = &m_pages->compare().desk();
-    m_views->setDesk(desk, m_pages->review().desk().chartActions());
+    m_views->setDesk(desk, m_pages->review().desk().viewActions());
 }
 
 void MainWindow::refreshPages()

@@ -3,6 +3,7 @@
 
 #include "ui/views/picture_fit.h"
 #include "ui/views/picture_overlay.h"
+#include "ui/views/robot_colours.h"
 #include "ui/views/theme.h"
 
 #include <QEvent>
@@ -44,6 +45,7 @@ void LivePictureArea::setFloor(TrialScenePtr floor, std::size_t view)
 void LivePictureArea::setRobots(std::vector<RobotRecord> robots)
 {
     m_robots = std::move(robots);
+    m_colours = colourPlaces(m_robots);
     forgetWays();
 }
 
@@ -142,7 +144,7 @@ void LivePictureArea::renderWayLayer()
 void LivePictureArea::paintWayOf(QPainter &painter, std::size_t robot, const Places &places) const
 {
     if (floorView())
-        paintWay(painter, places, m_robots[robot].heightM.value_or(0), *floorView(), pictureMap());
+        paintWay(painter, places, m_robots[robot].heightM.value_or(0), *floorView(), pictureMap(), colourOnPicture(m_colours[robot]));
 }
 
 void LivePictureArea::paintRobots(QPainter &painter) const
@@ -152,8 +154,8 @@ void LivePictureArea::paintRobots(QPainter &painter) const
         const auto first = static_cast<std::ptrdiff_t>(way.inLayer > 0 ? way.inLayer - 1 : 0);
         paintWayOf(painter, robot, Places(way.places.begin() + first, way.places.end()));
         if (robot < m_picture.observations.size() && m_picture.observations[robot].found)
-            paintEllipse(painter, m_picture.observations[robot].ellipse,
-                         QString::fromStdString(m_robots[robot].name), pictureMap());
+            paintOutline(painter, m_picture.observations[robot], QString::fromStdString(m_robots[robot].name), colourOnPicture(m_colours[robot]),
+                         pictureMap());
     }
 }
 

@@ -10,7 +10,7 @@
 
 namespace odo {
 
-/// What a camera sees now, with the floor's axes, each robot's ellipse and the way it has driven.
+/// What a camera sees now, with the floor's axes, each robot's outline and the way it has driven.
 class LivePictureArea : public QWidget
 {
     Q_OBJECT
@@ -59,6 +59,7 @@ private:
     TrialScenePtr m_floor;
     std::size_t m_view = 0;
     std::vector<RobotRecord> m_robots;
+    std::vector<int> m_colours; ///< of each robot, in the palette
     std::vector<Way> m_ways; ///< of each robot
     LivePicture m_picture;
     QString m_words;

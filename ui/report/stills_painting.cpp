@@ -3,6 +3,7 @@
 
 #include "ui/report/report_painting.h"
 #include "ui/views/picture_overlay.h"
+#include "ui/views/robot_colours.h"
 #include "ui/views/theme.h"
 
 #include <QCoreApplication>
@@ -45,9 +46,10 @@ QRectF drawStill(QPainter &painter, const QRectF &rect, const TrialScene &scene,
         };
         painter.setFont(reportFont(smallSize));
         painter.setRenderHint(QPainter::Antialiasing);
+        const std::vector<int> places = colourPlaces(scene);
         for (std::size_t robot = 0; robot < scene.robots.size(); ++robot) {
             if (scene.views[view].floorView)
-                paintTrail(painter, scene, robot, *scene.views[view].floorView, map);
+                paintTrail(painter, scene, robot, *scene.views[view].floorView, map, colourOnPicture(places[robot]));
             paintRobot(painter, scene, view, robot, still.frame, map);
         }
     }

@@ -7,10 +7,14 @@
 #include "ui/views/floor_map.h"
 #include "ui/views/profile_chart.h"
 
+#include <QAction>
+#include <QSettings>
 #include <QSplitter>
 
 namespace odo {
 namespace {
+
+const QString outlinesKey = QStringLiteral("review/silhouettes");
 
 /// All of them, beginning with this one.
 QList<Quantity> quantitiesFrom(Quantity first)
@@ -27,7 +31,8 @@ ReviewDesk::ReviewDesk(Timeline &timeline, QWidget *parent)
     : DockDesk(QStringLiteral("review"), parent), m_timeline(timeline), m_map(new FloorMap(timeline)),
       m_span(new ChartSpan(timeline, this)),
       m_speed(new ProfileChart(timeline, *m_span, quantitiesFrom(Quantity::Speed))),
-      m_acceleration(new ProfileChart(timeline, *m_span, quantitiesFrom(Quantity::Acceleration)))
+      m_acceleration(new ProfileChart(timeline, *m_span, quantitiesFrom(Quantity::Acceleration))),
+      m_outlines(new QAction(tr("&Silhouettes of the robots"), this))
 {
     middle().addWidget(m_map);
     addDock(m_speed, QStringLiteral("speedDock"), m_speed->title(), 31);
@@ -37,12 +42,25 @@ ReviewDesk::ReviewDesk(Timeline &timeline, QWidget *parent)
     for (ProfileChart *chart : {m_speed, m_acceleration})
         connect(chart, &ProfileChart::settled, this, &ReviewDesk::settled);
     connect(m_map, &FloorMap::settled, this, &ReviewDesk::settled);
+    m_outlines->setObjectName(QStringLiteral("silhouettes"));
+    m_outlines->setToolTip(tr("Outline what was taken for a robot in each view"));
+    m_outlines->setShortcut(QKeySequence(Qt::Key_S));
+    m_outlines->setCheckable(true);
+    m_outlines->setChecked(QSettings().value(outlinesKey, true).toBool());
+    connect(m_outlines, &QAction::toggled, this, &ReviewDesk::showOutlines);
     resetLayout();
 }
 
-QList<QAction *> ReviewDesk::chartActions() const
+QList<QAction *> ReviewDesk::viewActions() const
 {
-    return m_span->actions() << m_map->disagreementAction();
+    return m_span->actions() << m_map->disagreementAction() << m_outlines;
+}
+
+void ReviewDesk::showOutlines(bool shown)
+{
+    QSettings().setValue(outlinesKey, shown);
+    for (CameraView *view : m_views)
+        view->setOutlinesShown(shown);
 }
 
 QList<Quantity> ReviewDesk::quantities() const
@@ -65,6 +83,7 @@ void ReviewDesk::setViewCount(std::size_t count)
     while (m_views.size() < count) {
         auto *view = new CameraView(m_timeline);
         view->setMinimumWidth(180);
+        view->setOutlinesShown(m_outlines->isChecked());
         middle().insertWidget(static_cast<int>(m_views.size()), view);
         connect(view, &CameraView::settled, this, &ReviewDesk::settled);
         m_views.push_back(view);

@@ -30,8 +30,8 @@ public:
     /// A null scene clears.
     void setScene(const TrialScenePtr &scene);
     bool isSettled() const;
-    /// What charts and map show: more, less, all, against time or distance; the views' disagreement.
-    QList<QAction *> chartActions() const;
+    /// What charts, map and views show: more, less, all, against time or distance; the views' disagreement; the robots' silhouettes.
+    QList<QAction *> viewActions() const;
     /// What the charts show, from above.
     QList<Quantity> quantities() const;
     /// Drawn over the curve that it is of; nullopt: none.
@@ -43,12 +43,14 @@ Q_SIGNALS:
 
 private:
     void setViewCount(std::size_t count);
+    void showOutlines(bool shown);
 
     Timeline &m_timeline;
     std::vector<CameraView *> m_views;
     FloorMap *m_map;
     ChartSpan *m_span;
     ProfileChart *m_speed, *m_acceleration;
+    QAction *m_outlines; ///< kept in the settings
 };
 
 } // namespace odo

@@ -75,7 +75,7 @@ ReviewPage::ReviewPage(Project &project, QWidget *parent)
 
     m_column->spikes().setActions(m_spikes->actions());
     connect(&m_column->spikes(), &SpikeList::robotChosen, m_spikes, &SpikeActions::setRobot);
-    for (QAction *action : m_timeline->actions() + m_desk->chartActions() + m_spikes->actions()) {
+    for (QAction *action : m_timeline->actions() + m_desk->viewActions() + m_spikes->actions()) {
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
         addAction(action);
     }

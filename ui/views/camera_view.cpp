@@ -62,9 +62,14 @@ void CameraView::setOverlay(PictureOverlay overlay)
     m_area->setOverlay(std::move(overlay));
 }
 
-void CameraView::setTrailColour(const QColor &colour)
+void CameraView::setRobotColour(const QColor &colour)
 {
-    m_area->setTrailColour(colour);
+    m_area->setRobotColour(colour);
+}
+
+void CameraView::setOutlinesShown(bool shown)
+{
+    m_area->setOutlinesShown(shown);
 }
 
 bool CameraView::isSettled() const

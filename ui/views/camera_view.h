@@ -13,7 +13,7 @@ class Timeline;
 /// What a view is called: "Camera A", or its longer name.
 QString viewTitle(const SceneView &view);
 
-/// One view of a trial: its picture at the shared time, and on it the robots' ellipses, their trails, the
+/// One view of a trial: its picture at the shared time, and on it the robots' outlines, their trails, the
 /// world's axes and the floor grid, all through the registered camera.
 class CameraView : public Card
 {
@@ -26,8 +26,10 @@ public:
     void setScene(TrialScenePtr scene, std::size_t view);
     /// Painted over the picture, within it; empty: nothing.
     void setOverlay(PictureOverlay overlay);
-    /// Of the robots' own ways.
-    void setTrailColour(const QColor &colour);
+    /// Of all robots' trails and outlines, in place of each robot's own.
+    void setRobotColour(const QColor &colour);
+    /// Whether the outlines of what was taken for the robots are drawn; they are unless told otherwise.
+    void setOutlinesShown(bool shown);
     /// True when the picture that belongs to the current time is shown (or cannot be had).
     bool isSettled() const;
 

@@ -52,10 +52,16 @@ void PictureArea::setOverlay(PictureOverlay overlay)
     update();
 }
 
-void PictureArea::setTrailColour(const QColor &colour)
+void PictureArea::setRobotColour(const QColor &colour)
 {
-    m_trailColour = colour;
+    m_look.colour = colour;
     m_floorLayer = {};
+    update();
+}
+
+void PictureArea::setOutlinesShown(bool shown)
+{
+    m_look.withOutlines = shown;
     update();
 }
 
@@ -132,7 +138,7 @@ void PictureArea::renderFloorLayer()
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setClipRect(pictureRect());
     paintFloor(
-        painter, *m_scene, m_view, [this](const QPointF &pixel) { return fromPicture(pixel); }, m_trailColour);
+        painter, *m_scene, m_view, [this](const QPointF &pixel) { return fromPicture(pixel); }, m_look);
 }
 
 void PictureArea::paintRobots(QPainter &painter, qint64 frame) const
@@ -142,7 +148,7 @@ void PictureArea::paintRobots(QPainter &painter, qint64 frame) const
     painter.setClipRect(pictureRect());
     const PictureMap toWidget = [this](const QPointF &pixel) { return fromPicture(pixel); };
     for (std::size_t robot = 0; robot < m_scene->robots.size(); ++robot)
-        paintRobot(painter, *m_scene, m_view, robot, frame, toWidget);
+        paintRobot(painter, *m_scene, m_view, robot, frame, toWidget, m_look);
     if (m_overlay)
         m_overlay(painter, m_view, frame, toWidget);
     painter.restore();

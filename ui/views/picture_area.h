@@ -21,7 +21,8 @@ public:
 
     void setScene(TrialScenePtr scene, std::size_t view);
     void setOverlay(PictureOverlay overlay);
-    void setTrailColour(const QColor &colour);
+    void setRobotColour(const QColor &colour);
+    void setOutlinesShown(bool shown);
     bool isSettled() const;
     QPointF fromPicture(const QPointF &pixel) const;
 
@@ -53,7 +54,7 @@ private:
     FrameFetcher m_fetcher;
     TrialScenePtr m_scene;
     PictureOverlay m_overlay;
-    QColor m_trailColour = trailColour;
+    RobotLook m_look;
     std::size_t m_view = 0;
     QImage m_picture;
     qint64 m_shownFrame = -1; ///< that m_picture is of

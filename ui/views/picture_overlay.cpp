@@ -13,16 +13,13 @@
 #include <QPolygonF>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace odo {
-
-const QColor trailColour(0xff56b4e9);
 
 namespace {
 
 // On pictures the colours do not follow the palette: the ground is whatever the camera saw.
-const QColor ellipseColour(0xfff0e442), spikeColour(0xfff0803c), rim(0, 0, 0, 120);
+const QColor spikeColour(0xfff0803c), rim(0, 0, 0, 120);
 
 std::optional<QPointF> seen(const FloorView &view, const Eigen::Vector2d &point, double heightM,
                             const PictureMap &map)
@@ -202,48 +199,34 @@ void paintGhost(QPainter &painter, const GhostRobot &ghost, const FloorView &vie
     drawTag(painter, QPointF(box.left(), box.bottom() + 14), ghost.name, ghost.colour, painter.clipBoundingRect());
 }
 
-QPointF paintEllipse(QPainter &painter, const Ellipse &ellipse, const QString &name, const PictureMap &map)
-{
-    const QPointF origin = map({0, 0});
-    const double scale = map({1, 0}).x() - origin.x();
-    constexpr double clearance = 4; // beside the robot, not on it
-    const QPointF centre = map({ellipse.centrePx.x(), ellipse.centrePx.y()});
-    const double a = ellipse.semiMajorPx * scale + clearance, b = ellipse.semiMinorPx * scale + clearance;
-    painter.save();
-    painter.translate(centre);
-    painter.rotate(ellipse.angleRad * 180 / std::numbers::pi);
-    QPainterPath outline;
-    outline.addEllipse(QPointF(0, 0), a, b);
-    strokeWithRim(painter, outline, ellipseColour, 2);
-    painter.restore();
+namespace {
 
-    // Half extents of the turned ellipse.
-    const double c = std::cos(ellipse.angleRad), s = std::sin(ellipse.angleRad);
-    const double halfWidth = std::hypot(a * c, b * s), halfHeight = std::hypot(a * s, b * c);
-    drawTag(painter, centre + QPointF(halfWidth + 5, 0), name, ellipseColour, painter.clipBoundingRect());
-    return centre - QPointF(0, halfHeight);
+QColor colourOf(const TrialScene &scene, std::size_t robot, const RobotLook &look)
+{
+    return look.colour ? *look.colour : colourOnPicture(colourPlaces(scene)[robot]);
 }
 
-void paintFloor(QPainter &painter, const TrialScene &scene, std::size_t view, const PictureMap &map, const QColor &colour)
+} // namespace
+
+void paintFloor(QPainter &painter, const TrialScene &scene, std::size_t view, const PictureMap &map, const RobotLook &look)
 {
     const auto &floorView = scene.views.at(view).floorView;
     if (!floorView)
         return;
     paintFloorGrid(painter, scene, *floorView, map);
-    for (std::size_t robot = 0; robot < scene.robots.size(); ++robot) {
-        const DrawingColour chosen = scene.robots[robot].robot.drawingColour;
-        paintTrail(painter, scene, robot, *floorView, map, colour == trailColour ? drawnColour(chosen, colour, darkPalette()) : colour);
-    }
+    for (std::size_t robot = 0; robot < scene.robots.size(); ++robot)
+        paintTrail(painter, scene, robot, *floorView, map, colourOf(scene, robot, look));
     paintAxes(painter, scene, *floorView, map);
 }
 
 void paintRobot(QPainter &painter, const TrialScene &scene, std::size_t view, std::size_t robot,
-                std::int64_t frame, const PictureMap &map)
+                std::int64_t frame, const PictureMap &map, const RobotLook &look)
 {
     const Observation *observation = scene.observationAt(view, robot, frame);
     if (!observation)
         return;
-    const QPointF top = paintEllipse(painter, observation->ellipse, QString::fromStdString(scene.robots[robot].robot.name), map);
+    const QPointF top = paintOutline(painter, *observation, QString::fromStdString(scene.robots[robot].robot.name), colourOf(scene, robot, look),
+                                     map, look.withOutlines);
     const auto &analysis = scene.robots[robot].analysis;
     if (!analysis)
         return;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/models/trial_scene.h"
+#include "ui/views/outline_painting.h"
 
 #include <QColor>
 #include <QPointF>
@@ -12,9 +13,6 @@ class QPainter;
 
 namespace odo {
 
-/// From a recording's picture (pixel centres) to where it is painted.
-using PictureMap = std::function<QPointF(const QPointF &pixel)>;
-
 /// What a mode adds to the picture of a view in a frame.
 using PictureOverlay =
     std::function<void(QPainter &painter, std::size_t view, std::int64_t frame, const PictureMap &map)>;
@@ -23,11 +21,9 @@ using PictureOverlay =
 void paintFloorGrid(QPainter &painter, const TrialScene &scene, const FloorView &view, const PictureMap &map);
 /// O→U and O→V as lines and the markers' labels.
 void paintAxes(QPainter &painter, const TrialScene &scene, const FloorView &view, const PictureMap &map);
-/// The colour of a robot's own way in a picture.
-extern const QColor trailColour;
 /// A way on the floor at a height; broken where a place is missing.
 void paintWay(QPainter &painter, const std::vector<std::optional<Eigen::Vector2d>> &places, double heightM,
-              const FloorView &view, const PictureMap &map, const QColor &colour = trailColour);
+              const FloorView &view, const PictureMap &map, const QColor &colour);
 /// A robot that was not there: its box on the floor, where it would be seen, dashed, with a name. A robot whose size is not known
 /// is a box of 200 mm.
 struct GhostRobot
@@ -40,18 +36,21 @@ struct GhostRobot
     QString name;
 };
 void paintGhost(QPainter &painter, const GhostRobot &ghost, const FloorView &view, const PictureMap &map);
-/// What the tracker found, with the robot's name beside it; gives the middle of its upper side.
-QPointF paintEllipse(QPainter &painter, const Ellipse &ellipse, const QString &name, const PictureMap &map);
 /// A robot's smoothed track at the height that its positions were computed for.
 void paintTrail(QPainter &painter, const TrialScene &scene, std::size_t robot, const FloorView &view,
-                const PictureMap &map, const QColor &colour = trailColour);
+                const PictureMap &map, const QColor &colour);
+/// How robots are drawn in pictures.
+struct RobotLook
+{
+    std::optional<QColor> colour = {}; ///< of trails and outlines; empty: of each robot its own (colourOnPicture)
+    bool withOutlines = true;
+};
 /// What does not move in a picture: the floor's grid, the trails of all robots, and the axes. Nothing where the view is not
 /// registered.
-void paintFloor(QPainter &painter, const TrialScene &scene, std::size_t view, const PictureMap &map,
-                const QColor &colour = trailColour);
-/// The ellipse that the tracker found in a frame of this view, the robot's name, and the reason when it is a
-/// spike.
+void paintFloor(QPainter &painter, const TrialScene &scene, std::size_t view, const PictureMap &map, const RobotLook &look = {});
+/// The outline of what was taken for the robot in a frame of this view, its name, and the reason when it is a spike; nothing where it was not
+/// found.
 void paintRobot(QPainter &painter, const TrialScene &scene, std::size_t view, std::size_t robot,
-                std::int64_t frame, const PictureMap &map);
+                std::int64_t frame, const PictureMap &map, const RobotLook &look = {});
 
 } // namespace odo

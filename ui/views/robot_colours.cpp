@@ -65,6 +65,11 @@ QColor drawnColour(DrawingColour chosen, const QColor &plain, const QPalette &pa
     return chosen == DrawingColour::Automatic ? plain : seriesColour(placeOf(chosen), palette);
 }
 
+QColor colourOnPicture(int place)
+{
+    return seriesColour(place, darkPalette());
+}
+
 QString drawingColourName(DrawingColour colour)
 {
     switch (colour) {

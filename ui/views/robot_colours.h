@@ -21,6 +21,9 @@ std::vector<int> colourPlaces(const TrialScene &scene);
 /// The colour of a robot that need not be told from others: the chosen one, else `plain`. Pure.
 QColor drawnColour(DrawingColour chosen, const QColor &plain, const QPalette &palette);
 
+/// The colour of a place of the palette on pictures, which are what the camera saw in light and dark windows. Pure.
+QColor colourOnPicture(int place);
+
 /// Every colour that can be chosen, in the order of the palette.
 constexpr std::array<DrawingColour, 6> drawingColours{DrawingColour::Blue,   DrawingColour::Vermilion, DrawingColour::Green,
                                                       DrawingColour::Purple, DrawingColour::Orange,    DrawingColour::SkyBlue};

@@ -191,10 +191,9 @@ private Q_SLOTS:
             for (std::size_t view = 0; view < 2; ++view) {
                 const Ellipse &seen = scene->observationAt(view, 0, 40)->ellipse;
                 const double scale = painter.fromPicture(view, {1, 0}).x() - painter.fromPicture(view, {0, 0}).x();
-                const double unit = std::min(size.width() / 1280.0, size.height() / 720.0);
                 const QPointF centre = painter.fromPicture(view, {seen.centrePx.x(), seen.centrePx.y()});
-                const QPointF end = centre + QPointF(std::cos(0.1), std::sin(0.1)) * (seen.semiMajorPx * scale + 4 * unit);
-                QVERIFY(hasColourNear(image, end, QColor(0xf0, 0xe4, 0x42))); // the outline
+                const QPointF end = centre + QPointF(std::cos(0.1), std::sin(0.1)) * (seen.semiMajorPx * scale);
+                QVERIFY(hasColourNear(image, end, QColor(0x56, 0xb4, 0xe9))); // the outline
                 const Eigen::Vector2d later = scene->robots[0].analysis->profile.points[55].position;
                 const auto trail = scene->views[view].floorView->pixelFromWorld({later.x(), later.y(), 0.06});
                 QVERIFY(hasColourNear(image, painter.fromPicture(view, {trail->x(), trail->y()}), QColor(0x56, 0xb4, 0xe9)));
