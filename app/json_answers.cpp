@@ -131,6 +131,18 @@ QJsonArray spikesJson(const std::vector<Spike> &spikes)
     return array;
 }
 
+QJsonArray doubtsJson(const std::vector<DoubtfulName> &doubts)
+{
+    QJsonArray array;
+    for (const DoubtfulName &doubt : doubts) {
+        QJsonArray others;
+        for (const std::string &name : doubt.otherNames)
+            others.append(QString::fromStdString(name));
+        array.append(QJsonObject{{QStringLiteral("from_s"), toSeconds(doubt.from)}, {QStringLiteral("to_s"), toSeconds(doubt.to)}, {QStringLiteral("others"), others}});
+    }
+    return array;
+}
+
 QJsonArray sentencesJson(const std::vector<std::string> &sentences)
 {
     QJsonArray array;

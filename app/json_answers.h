@@ -16,6 +16,8 @@ QJsonObject syncJson(const TrialRecord &trial);
 QJsonObject recordingJson(const RecordingRecord &recording);
 QJsonArray vectorJson(const Eigen::VectorXd &vector);
 QJsonArray metricsJson(const std::vector<Metric> &metrics);
+/// When it could not be told which robot it is: [{from_s, to_s, others[]}].
+QJsonArray doubtsJson(const std::vector<DoubtfulName> &doubts);
 QJsonArray spikesJson(const std::vector<Spike> &spikes);
 /// null where there is none.
 QJsonValue optionalJson(const std::optional<double> &value);

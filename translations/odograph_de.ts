@@ -6608,20 +6608,28 @@
         <translation>geben Sie es für Bild %1 noch einmal an</translation>
     </message>
     <message>
-        <source>from %1 s to %2 s it could not be told from another robot of its look, so that it may be that one from then on</source>
-        <translation>von %1 s bis %2 s war er nicht von einem anderen Roboter gleichen Aussehens zu unterscheiden; ab da kann er jener sein</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s, and %3 times more, it could not be told from another robot of its look, so that it may be that one from then on</source>
-        <translation>von %1 s bis %2 s und noch %3-mal war er nicht von einem anderen Roboter gleichen Aussehens zu unterscheiden; ab da kann er jener sein</translation>
-    </message>
-    <message>
         <source>give each a colour of its own</source>
         <translation>geben Sie jedem eine eigene Farbe</translation>
     </message>
     <message>
         <source>track only the robots that are in the pictures (--robot)</source>
         <translation>messen Sie nur die Roboter, die in den Bildern sind (--robot)</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s it is doubtful whether this is %3 or %4</source>
+        <translation>von %1 s bis %2 s ist zweifelhaft, ob dies %3 oder %4 ist</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s it is doubtful whether this is %3 or another robot of its look</source>
+        <translation>von %1 s bis %2 s ist zweifelhaft, ob dies %3 oder ein anderer Roboter dieses Aussehens ist</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or %5</source>
+        <translation>von %1 s bis %2 s (das erste von %3 Malen) ist zweifelhaft, ob dies %4 oder %5 ist</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
+        <translation>von %1 s bis %2 s (das erste von %3 Malen) ist zweifelhaft, ob dies %4 oder ein anderer Roboter dieses Aussehens ist</translation>
     </message>
 </context>
 <context>
@@ -13031,6 +13039,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Reason</source>
         <translation>Grund</translation>
+    </message>
+    <message>
+        <source>%1 doubtful</source>
+        <translation>%1 zweifelhaft</translation>
+    </message>
+    <message>
+        <source>Which robot? Until %1</source>
+        <translation>Welcher Roboter? Bis %1</translation>
     </message>
 </context>
 <context>

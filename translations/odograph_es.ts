@@ -6608,20 +6608,28 @@
         <translation>indíquelo otra vez para el fotograma %1</translation>
     </message>
     <message>
-        <source>from %1 s to %2 s it could not be told from another robot of its look, so that it may be that one from then on</source>
-        <translation>de %1 s a %2 s no se pudo distinguir de otro robot de igual aspecto, de modo que desde entonces puede ser ese otro</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s, and %3 times more, it could not be told from another robot of its look, so that it may be that one from then on</source>
-        <translation>de %1 s a %2 s, y %3 veces más, no se pudo distinguir de otro robot de igual aspecto, de modo que desde entonces puede ser ese otro</translation>
-    </message>
-    <message>
         <source>give each a colour of its own</source>
         <translation>dé a cada uno un color propio</translation>
     </message>
     <message>
         <source>track only the robots that are in the pictures (--robot)</source>
         <translation>siga solo los robots que están en las imágenes (--robot)</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s it is doubtful whether this is %3 or %4</source>
+        <translation>de %1 s a %2 s es dudoso si se trata de %3 o de %4</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s it is doubtful whether this is %3 or another robot of its look</source>
+        <translation>de %1 s a %2 s es dudoso si se trata de %3 o de otro robot del mismo aspecto</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or %5</source>
+        <translation>de %1 s a %2 s (la primera de %3 veces) es dudoso si se trata de %4 o de %5</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
+        <translation>de %1 s a %2 s (la primera de %3 veces) es dudoso si se trata de %4 o de otro robot del mismo aspecto</translation>
     </message>
 </context>
 <context>
@@ -13031,6 +13039,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Reason</source>
         <translation>Motivo</translation>
+    </message>
+    <message>
+        <source>%1 doubtful</source>
+        <translation>%1 en duda</translation>
+    </message>
+    <message>
+        <source>Which robot? Until %1</source>
+        <translation>¿Qué robot? Hasta %1</translation>
     </message>
 </context>
 <context>

@@ -6608,20 +6608,28 @@
         <translation>indiquez-le de nouveau pour l’image %1</translation>
     </message>
     <message>
-        <source>from %1 s to %2 s it could not be told from another robot of its look, so that it may be that one from then on</source>
-        <translation>de %1 s à %2 s, il n’a pas pu être distingué d’un autre robot de même aspect ; dès lors il peut s’agir de cet autre</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s, and %3 times more, it could not be told from another robot of its look, so that it may be that one from then on</source>
-        <translation>de %1 s à %2 s, et %3 autres fois, il n’a pas pu être distingué d’un autre robot de même aspect ; dès lors il peut s’agir de cet autre</translation>
-    </message>
-    <message>
         <source>give each a colour of its own</source>
         <translation>donnez à chacun une couleur à lui</translation>
     </message>
     <message>
         <source>track only the robots that are in the pictures (--robot)</source>
         <translation>ne suivez que les robots qui sont dans les images (--robot)</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s it is doubtful whether this is %3 or %4</source>
+        <translation>de %1 s à %2 s, il n’est pas sûr qu’il s’agisse de %3 ou de %4</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s it is doubtful whether this is %3 or another robot of its look</source>
+        <translation>de %1 s à %2 s, il n’est pas sûr qu’il s’agisse de %3 ou d’un autre robot de même apparence</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or %5</source>
+        <translation>de %1 s à %2 s (la première de %3 fois), il n’est pas sûr qu’il s’agisse de %4 ou de %5</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
+        <translation>de %1 s à %2 s (la première de %3 fois), il n’est pas sûr qu’il s’agisse de %4 ou d’un autre robot de même apparence</translation>
     </message>
 </context>
 <context>
@@ -13031,6 +13039,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Reason</source>
         <translation>Raison</translation>
+    </message>
+    <message>
+        <source>%1 doubtful</source>
+        <translation>%1 en doute</translation>
+    </message>
+    <message>
+        <source>Which robot? Until %1</source>
+        <translation>Quel robot ? Jusqu’à %1</translation>
     </message>
 </context>
 <context>

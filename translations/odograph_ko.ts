@@ -6606,20 +6606,28 @@
         <translation>프레임 %1에 대해 다시 지정하십시오</translation>
     </message>
     <message>
-        <source>from %1 s to %2 s it could not be told from another robot of its look, so that it may be that one from then on</source>
-        <translation>%1초부터 %2초까지 같은 모습의 다른 로봇과 구별할 수 없었으므로, 그 뒤로는 그 로봇일 수 있습니다</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s, and %3 times more, it could not be told from another robot of its look, so that it may be that one from then on</source>
-        <translation>%1초부터 %2초까지, 그리고 %3번 더, 같은 모습의 다른 로봇과 구별할 수 없었으므로, 그 뒤로는 그 로봇일 수 있습니다</translation>
-    </message>
-    <message>
         <source>give each a colour of its own</source>
         <translation>각 로봇에 고유한 색을 주십시오</translation>
     </message>
     <message>
         <source>track only the robots that are in the pictures (--robot)</source>
         <translation>영상에 있는 로봇만 추적하십시오 (--robot)</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s it is doubtful whether this is %3 or %4</source>
+        <translation>%1초부터 %2초까지 이 로봇이 %3인지 %4인지 확실하지 않습니다</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s it is doubtful whether this is %3 or another robot of its look</source>
+        <translation>%1초부터 %2초까지 이 로봇이 %3인지 모습이 같은 다른 로봇인지 확실하지 않습니다</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or %5</source>
+        <translation>%1초부터 %2초까지(%3번 중 첫 번째) 이 로봇이 %4인지 %5인지 확실하지 않습니다</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
+        <translation>%1초부터 %2초까지(%3번 중 첫 번째) 이 로봇이 %4인지 모습이 같은 다른 로봇인지 확실하지 않습니다</translation>
     </message>
 </context>
 <context>
@@ -13012,6 +13020,14 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Reason</source>
         <translation>이유</translation>
+    </message>
+    <message>
+        <source>%1 doubtful</source>
+        <translation>%1개 불확실</translation>
+    </message>
+    <message>
+        <source>Which robot? Until %1</source>
+        <translation>어느 로봇? %1까지</translation>
     </message>
 </context>
 <context>

@@ -6606,20 +6606,28 @@
         <translation>请对第 %1 帧再指定一次</translation>
     </message>
     <message>
-        <source>from %1 s to %2 s it could not be told from another robot of its look, so that it may be that one from then on</source>
-        <translation>从 %1 秒到 %2 秒无法将它与另一个外观相同的机器人区分开，因此此后它可能是那一个</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s, and %3 times more, it could not be told from another robot of its look, so that it may be that one from then on</source>
-        <translation>从 %1 秒到 %2 秒，以及另外 %3 次，无法将它与另一个外观相同的机器人区分开，因此此后它可能是那一个</translation>
-    </message>
-    <message>
         <source>give each a colour of its own</source>
         <translation>请给每个机器人一种自己的颜色</translation>
     </message>
     <message>
         <source>track only the robots that are in the pictures (--robot)</source>
         <translation>请只跟踪画面中的机器人 (--robot)</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s it is doubtful whether this is %3 or %4</source>
+        <translation>从 %1 秒到 %2 秒，无法确定这是 %3 还是 %4</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s it is doubtful whether this is %3 or another robot of its look</source>
+        <translation>从 %1 秒到 %2 秒，无法确定这是 %3 还是外观相同的另一台机器人</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or %5</source>
+        <translation>从 %1 秒到 %2 秒（共 %3 次中的第一次），无法确定这是 %4 还是 %5</translation>
+    </message>
+    <message>
+        <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
+        <translation>从 %1 秒到 %2 秒（共 %3 次中的第一次），无法确定这是 %4 还是外观相同的另一台机器人</translation>
     </message>
 </context>
 <context>
@@ -13012,6 +13020,14 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Reason</source>
         <translation>原因</translation>
+    </message>
+    <message>
+        <source>%1 doubtful</source>
+        <translation>%1 处存疑</translation>
+    </message>
+    <message>
+        <source>Which robot? Until %1</source>
+        <translation>哪台机器人？至 %1</translation>
     </message>
 </context>
 <context>

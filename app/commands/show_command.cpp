@@ -7,6 +7,7 @@
 #include "app/task_answers.h"
 #include "core/project/repositories.h"
 #include "core/workflow/imported_tracks.h"
+#include "core/workflow/robot_names.h"
 #include "core/workflow/track_warnings.h"
 #include "core/workflow/truth_accuracy.h"
 
@@ -76,6 +77,8 @@ QStringList robotText(const AnalysisRecord &analysis, const std::optional<TruthA
     lines << taskLines(analysis.profile);
     for (const Spike &spike : analysis.profile.spikes)
         lines << QStringLiteral("  spike at %1 s: %2").arg(toSeconds(spike.time), 0, 'f', 3).arg(QString::fromStdString(spike.reason));
+    for (const DoubtfulName &doubt : analysis.doubtfulNames)
+        lines << QStringLiteral("  %1").arg(QString::fromStdString(doubtfulNamesSentence({&doubt, 1}, analysis.robotName)));
     if (accuracy)
         lines << QStringLiteral("  against the known truth: %1 mm, %2 mm/s, %3 mm/s² RMS")
                      .arg(toMillimetres(accuracy->positionRmsM), 0, 'f', 2)
@@ -138,6 +141,8 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
             accuracy = compareWithTruth(analysis.profile, **truth);
         QJsonObject robot{{QStringLiteral("metrics"), metricsJson(analysis.profile.metrics)},
                           {QStringLiteral("spikes"), spikesJson(analysis.profile.spikes)},
+                          {QStringLiteral("doubts"), doubtsJson(analysis.doubtfulNames)},
+                          {QStringLiteral("doubtful_s"), doubtfulSeconds(analysis.doubtfulNames)},
                           {QStringLiteral("height_m"), analysis.profile.heightM},
                           {QStringLiteral("height_estimated"), analysis.profile.heightEstimated},
                           {QStringLiteral("provenance"), provenanceJson(analysis, *imported)}};

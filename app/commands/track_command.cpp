@@ -26,6 +26,7 @@ QJsonObject robotJson(const TrackedRobot &robot)
                      {QStringLiteral("max_speed_m_s"), metricValue(profile, "max_speed")}};
     json.insert(QStringLiteral("clearance_mm"), profile.clearanceM ? QJsonValue(toMillimetres(*profile.clearanceM)) : QJsonValue());
     json.insert(QStringLiteral("doubtful_s"), optionalJson(robot.doubtfulS));
+    json.insert(QStringLiteral("doubts"), doubtsJson(robot.analysis.doubtfulNames));
     insertTaskAnswers(json, profile);
     return json;
 }

@@ -7,6 +7,7 @@
 #include <bit>
 #include <map>
 #include <sqlite3.h>
+#include <utility>
 
 namespace odo {
 
@@ -16,6 +17,7 @@ namespace {
 struct DigestedRows
 {
     const char *rows, *chunks;
+    bool isLater = false; ///< joined a format that had digests already: where there are none, the digest is as it was without them
 };
 
 /// ?1 is the analysis, or the first column of the row that the chunks belong to.
@@ -59,7 +61,10 @@ std::vector<DigestedRows> rowsOf(DigestPart part)
                 {"SELECT NULL, position, name, unit, value, sigma FROM metric WHERE analysis_id=?1 ORDER BY position", nullptr},
                 {"SELECT NULL, position, sample_index, time_ns, flags, reason FROM spike WHERE analysis_id=?1 ORDER BY position", nullptr},
                 {"SELECT NULL, position, gate, role, time_ns, sigma_s, common_sigma_s FROM gate_passage WHERE analysis_id=?1 ORDER BY position",
-                 nullptr}};
+                 nullptr},
+                {"SELECT NULL, doubtful_name.position, from_ns, to_ns, robot_id FROM doubtful_name LEFT JOIN doubtful_name_robot "
+                 "USING (analysis_id, position) WHERE analysis_id=?1 ORDER BY doubtful_name.position, robot_id",
+                 nullptr, true}};
     }
     return {};
 }
@@ -150,7 +155,10 @@ struct AnalysisDigests::Queries
 
     Result<void> addRows(Sha256 &hash, const DigestedRows &rows, RecordId id)
     {
+        bool isBegun = !rows.isLater;
         return each(rows.rows, id, [&](sqlite3_stmt *row) -> Result<void> {
+            if (!std::exchange(isBegun, true))
+                hash.add("", 1);
             for (int column = 1; column < sqlite3_column_count(row); ++column)
                 addValue(hash, row, column);
             if (rows.chunks == nullptr)
@@ -169,7 +177,8 @@ Result<std::string> AnalysisDigests::make(RecordId analysis, DigestPart part)
     Sha256 hash;
     for (const DigestedRows &rows : rowsOf(part)) {
         // Where one kind of rows ends and the next begins.
-        hash.add("", 1);
+        if (!rows.isLater)
+            hash.add("", 1);
         if (auto added = m_queries->addRows(hash, rows, analysis); !added)
             return tl::unexpected(added.error());
     }

@@ -22,7 +22,7 @@ enum class DigestPart {
     Registrations, ///< of the views that were used, with the lens of each
     Task,          ///< the course, gates, zones and limits it was measured by
     Positions,     ///< samples and points
-    Results,       ///< version, options, overrules, metrics, spikes and passages
+    Results,       ///< version, options, overrules, metrics, spikes, passages and doubtful names
 };
 inline constexpr std::array allDigestParts{DigestPart::Measurements, DigestPart::Recordings, DigestPart::Registrations,
                                     DigestPart::Task,         DigestPart::Positions,  DigestPart::Results};

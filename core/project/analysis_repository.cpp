@@ -2,6 +2,7 @@
 #include "core/project/analysis_digest.h"
 #include "core/project/column_blob.h"
 #include "core/project/connection.h"
+#include "core/project/doubtful_name_rows.h"
 #include "core/project/named_rows.h"
 #include "core/project/repositories.h"
 #include "core/project/series_blobs.h"
@@ -268,6 +269,8 @@ Result<AnalysisRecord> AnalysisRepository::add(AnalysisRecord analysis, const Sa
             return tl::unexpected(added.error());
         if (auto added = addPassages(m_connection, *id, analysis.profile.passages); !added)
             return tl::unexpected(added.error());
+        if (auto added = addDoubtfulNames(m_connection, *id, analysis.doubtfulNames); !added)
+            return tl::unexpected(added.error());
         if (auto added = addSeries(m_connection, *id, analysis.profile, source); !added)
             return tl::unexpected(added.error());
         if (auto written = writeDigests(m_connection, *id); !written)
@@ -294,8 +297,17 @@ Result<std::vector<AnalysisRecord>> AnalysisRepository::current(RecordId trial) 
             return tl::unexpected(read.error());
         if (auto read = readSeries(m_connection, analysis); !read)
             return tl::unexpected(read.error());
+        auto doubts = doubtfulNames(analysis.id);
+        if (!doubts)
+            return tl::unexpected(doubts.error());
+        analysis.doubtfulNames = std::move(*doubts);
     }
     return analyses;
+}
+
+Result<std::vector<DoubtfulName>> AnalysisRepository::doubtfulNames(RecordId analysis) const
+{
+    return readDoubtfulNames(m_connection, analysis);
 }
 
 Result<std::map<RecordId, std::vector<std::string>>> AnalysisRepository::trialsByRegistration() const

@@ -207,6 +207,14 @@ struct ImportedTrack
 };
 
 /// One computed result for one robot of a trial, with all that went into it.
+/// A stretch of a trial in which it could not be told which of several robots of one look a robot is, so that it may be another one from then on.
+struct DoubtfulName
+{
+    Nanoseconds from{0}, to{0};          ///< of the trial, from not after to
+    std::vector<RecordId> others;        ///< that it may be; empty where that is not known
+    std::vector<std::string> otherNames; ///< read only, joined
+};
+
 struct AnalysisRecord
 {
     RecordId id = 0;
@@ -220,6 +228,7 @@ struct AnalysisRecord
     std::vector<RecordId> registrations; ///< one a view, in the views' order; 0 where unregistered
     std::vector<std::string> views;      ///< names of the views, bit i of Sample::views
     Profile profile;
+    std::vector<DoubtfulName> doubtfulNames; ///< in order; found as the observations were made, so an analysis made again keeps them
     /// Read only: whether positions and metrics are as they were when it was made. NotKept: it is older than digests.
     enum class Proof { NotKept, Holds, Broken } proof = Proof::NotKept;
 };

@@ -251,6 +251,8 @@ public:
     Result<AnalysisRecord> add(AnalysisRecord analysis, const SampleSource &samples = {});
     /// The newest analysis of each robot of the trial, with all its series, and whether they are as they were stored.
     Result<std::vector<AnalysisRecord>> current(RecordId trial) const;
+    /// When it could not be told which robot an analysis is of, in order.
+    Result<std::vector<DoubtfulName>> doubtfulNames(RecordId analysis) const;
     /// Metrics alone, for lists: the newest of each robot, cheap.
     Result<std::vector<AnalysisRecord>> currentMetrics(RecordId trial) const;
     /// One metric of the newest analysis of each robot, of the trials from one moment to another (both belong to them), by its name.

@@ -330,6 +330,17 @@ std::vector<std::string> referencePoints()
     };
 }
 
+/// When robots of one look could not be told apart. Of older analyses it is not known.
+std::vector<std::string> doubtfulNames()
+{
+    return {
+        "CREATE TABLE doubtful_name (analysis_id INTEGER NOT NULL REFERENCES analysis(id), position INTEGER NOT NULL, "
+        "from_ns INTEGER NOT NULL, to_ns INTEGER NOT NULL, PRIMARY KEY (analysis_id, position))",
+        "CREATE TABLE doubtful_name_robot (analysis_id INTEGER NOT NULL REFERENCES analysis(id), position INTEGER NOT NULL, "
+        "robot_id INTEGER NOT NULL REFERENCES robot(id), PRIMARY KEY (analysis_id, position, robot_id))",
+    };
+}
+
 } // namespace
 
 std::vector<Migration> projectMigrations()
@@ -347,7 +358,8 @@ std::vector<Migration> projectMigrations()
                          schoolYear()),
             sqlMigration("members and robots of teams, zones and the archive of tasks, and imported tracks", teamsAndZones()),
             sqlMigration("digests of analyses, and long series in chunks", provedAnalyses()),
-            sqlMigration("the point of a robot that is measured", referencePoints())};
+            sqlMigration("the point of a robot that is measured", referencePoints()),
+            sqlMigration("when robots of one look could not be told apart", doubtfulNames())};
 }
 
 const Migrator &projectMigrator()

@@ -122,6 +122,8 @@ Result<std::vector<std::string>> TrialRepository::removeForGood(RecordId trial)
               "DELETE FROM metric WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
               "DELETE FROM spike WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
               "DELETE FROM gate_passage WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
+              "DELETE FROM doubtful_name_robot WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
+              "DELETE FROM doubtful_name WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
               "DELETE FROM analysis WHERE trial_id=?", "DELETE FROM overrule WHERE trial_id=?",
               "DELETE FROM imported_track_chunk WHERE track_id IN (SELECT id FROM imported_track WHERE trial_id=?)",
               "DELETE FROM imported_track WHERE trial_id=?", "DELETE FROM truth WHERE trial_id=?", "DELETE FROM trial_tag WHERE trial_id=?",

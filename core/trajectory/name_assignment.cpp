@@ -224,15 +224,25 @@ std::vector<NameDoubt> doubtsOf(const FoundNames &found, const NameEvidence &evi
     std::vector<NameDoubt> all;
     for (const DoubtfulLink &link : found.doubts) {
         const double fromS = evidence.tracklets[link.before].tracklet.end.timeS, toS = evidence.tracklets[link.behind].tracklet.begin.timeS;
-        all.push_back({considered[found.names[link.behind]], fromS, std::max(fromS, toS)});
+        const std::size_t name = found.names[link.behind];
+        NameDoubt &doubt = all.emplace_back(NameDoubt{considered[name], fromS, std::max(fromS, toS)});
+        if (link.otherName != name)
+            doubt.others = {considered[link.otherName]};
     }
     std::ranges::sort(all, {}, [](const NameDoubt &doubt) { return std::pair(doubt.robot, doubt.fromS); });
     std::vector<NameDoubt> joined;
     for (const NameDoubt &doubt : all) {
-        if (!joined.empty() && joined.back().robot == doubt.robot && doubt.fromS <= joined.back().toS)
-            joined.back().toS = std::max(joined.back().toS, doubt.toS);
-        else
+        if (joined.empty() || joined.back().robot != doubt.robot || doubt.fromS > joined.back().toS) {
             joined.push_back(doubt);
+            continue;
+        }
+        NameDoubt &earlier = joined.back();
+        earlier.toS = std::max(earlier.toS, doubt.toS);
+        earlier.others.insert(earlier.others.end(), doubt.others.begin(), doubt.others.end());
+    }
+    for (NameDoubt &doubt : joined) {
+        std::ranges::sort(doubt.others);
+        doubt.others.erase(std::unique(doubt.others.begin(), doubt.others.end()), doubt.others.end());
     }
     return joined;
 }

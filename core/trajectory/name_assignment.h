@@ -32,6 +32,7 @@ struct NameDoubt
 {
     std::size_t robot = 0;
     double fromS = 0, toS = 0; ///< of the first view's clock
+    std::vector<std::size_t> others = {}; ///< that it may be from then on, in order; empty where that is not known
 };
 
 struct NameOutcome

@@ -72,10 +72,10 @@ public:
         found.names = namesOf(best.decision);
         const Links links = linksOf(found.names, best.decision);
         for (const NameHypothesis &other : m_hypotheses)
-            addDoubts(best.cost, other.cost, other.decision, links, found.doubts);
+            addDoubts(best.cost, other.cost, other.decision, links, found);
         for (int d = best.decision; d != none; d = decisionOf(d).before)
             for (const auto &[cost, decision] : decisionOf(d).nearlyAsGood)
-                addDoubts(0, cost, decision, links, found.doubts);
+                addDoubts(0, cost, decision, links, found);
         return found;
     }
 
@@ -234,14 +234,19 @@ private:
     }
 
     /// Where another way links the tracklets otherwise than the best one.
-    void addDoubts(double bestCost, double cost, int decision, const Links &best, std::vector<DoubtfulLink> &doubts) const
+    void addDoubts(double bestCost, double cost, int decision, const Links &best, FoundNames &found) const
     {
         if (cost - bestCost >= costOfDoubt)
             return;
-        const Links other = linksOf(namesOf(decision), decision);
-        for (std::size_t t = 0; t < other.size(); ++t)
-            if (best[t] != none && best[t] != other[t])
-                doubts.push_back({static_cast<std::size_t>(best[t]), t});
+        const std::vector<std::size_t> names = namesOf(decision);
+        const Links other = linksOf(names, decision);
+        for (std::size_t t = 0; t < other.size(); ++t) {
+            if (best[t] == none || best[t] == other[t])
+                continue;
+            // It goes on from another tracklet, whatever that one is called by this way.
+            const std::size_t otherName = other[t] == none ? names[t] : found.names[static_cast<std::size_t>(other[t])];
+            found.doubts.push_back({static_cast<std::size_t>(best[t]), t, otherName});
+        }
     }
 
     const NameEvidence &m_evidence;

@@ -22,6 +22,7 @@ struct NameKnowledge
 struct DoubtfulLink
 {
     std::size_t before = 0, behind = 0;
+    std::size_t otherName = 0; ///< that the second one has by that way; may be its own where only what lies between is named otherwise
 };
 
 struct FoundNames

@@ -28,4 +28,27 @@ std::vector<NameDoubt> settleNames(const std::vector<RegisteredView> &views, con
     return std::move(outcome.doubts);
 }
 
+std::vector<std::vector<DoubtfulName>> doubtfulNamesOf(const std::vector<NameDoubt> &doubts, const std::vector<RobotRecord> &robots)
+{
+    std::vector<std::vector<DoubtfulName>> all(robots.size());
+    for (const NameDoubt &doubt : doubts) {
+        DoubtfulName &stored = all[doubt.robot].emplace_back();
+        stored.from = fromSeconds(doubt.fromS);
+        stored.to = fromSeconds(doubt.toS);
+        for (const std::size_t other : doubt.others) {
+            stored.others.push_back(robots[other].id);
+            stored.otherNames.push_back(robots[other].name);
+        }
+    }
+    return all;
+}
+
+double doubtfulSeconds(const std::vector<DoubtfulName> &doubts)
+{
+    double seconds = 0;
+    for (const DoubtfulName &doubt : doubts)
+        seconds += toSeconds(doubt.to - doubt.from);
+    return seconds;
+}
+
 } // namespace odo

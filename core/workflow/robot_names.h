@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/trajectory/name_assignment.h"
+#include "core/project/records.h"
 #include "core/workflow/view_tracking.h"
 
 #include <vector>
@@ -13,5 +14,11 @@ namespace odo {
 /// is who, by the robots' numbers.
 std::vector<NameDoubt> settleNames(const std::vector<RegisteredView> &views, const std::vector<RobotRecord> &robots,
                  std::vector<TrackedView> &tracked);
+
+/// The same as they are stored: of each robot its own.
+std::vector<std::vector<DoubtfulName>> doubtfulNamesOf(const std::vector<NameDoubt> &doubts, const std::vector<RobotRecord> &robots);
+
+/// For how long all together. They do not overlap.
+double doubtfulSeconds(const std::vector<DoubtfulName> &doubts);
 
 } // namespace odo

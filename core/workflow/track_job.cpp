@@ -31,7 +31,7 @@ struct TrackJob::Impl
     std::vector<TrackedView> stored;      ///< with `again`
     std::vector<std::vector<Sample>> imported; ///< with `again` of imported tracks, one a robot
     std::vector<ObservationSeries> observations;
-    std::vector<NameDoubt> doubts; ///< by the robots' numbers
+    std::vector<std::vector<DoubtfulName>> doubts; ///< of each robot; with `again` those of its newest analysis
     TrackOutcome outcome;
 
     Result<void> readOptions(Project &project);
@@ -92,6 +92,7 @@ Result<void> TrackJob::Impl::readOptions(Project &project)
     if (!analyses)
         return tl::unexpected(analyses.error());
     options.clear();
+    doubts.clear();
     for (const RobotRecord &robot : robots) {
         AnalysisOptions its;
         const auto newest = std::find_if(analyses->begin(), analyses->end(), [&](const AnalysisRecord &one) {
@@ -100,6 +101,11 @@ Result<void> TrackJob::Impl::readOptions(Project &project)
         if (settings.again && newest != analyses->end())
             its.smoother = newest->options.smoother;
         its.smoother = settings.smoother.value_or(its.smoother);
+        auto known = settings.again && newest != analyses->end() ? project.analyses().doubtfulNames(newest->id)
+                                                                 : Result<std::vector<DoubtfulName>>();
+        if (!known)
+            return tl::unexpected(known.error());
+        doubts.push_back(std::move(*known));
         const auto told = settings.overrules.find(robot.name);
         auto overrules = told != settings.overrules.end() ? told->second
                                                           : project.trials().overrules(trial.id, robot.id);
@@ -139,7 +145,7 @@ Result<void> TrackJob::run(const JobControl &control)
 
     if (!d.settings.again) { // what is stored is settled
         control.report(0.96, "settling which robot is which");
-        d.doubts = settleNames(d.views, d.robots, *tracked);
+        d.doubts = doubtfulNamesOf(settleNames(d.views, d.robots, *tracked), d.robots);
     }
     d.outcome.warnings = stepWarnings(d.trialName, d.views);
     control.report(0.97, "analysing");
@@ -197,6 +203,7 @@ Result<void> TrackJob::Impl::analyseAll(std::vector<TrackedView> &tracked)
         analysis.task = task ? task->id : 0;
         analysis.options = std::move(analysed->options);
         analysis.profile = std::move(analysed->profile);
+        analysis.doubtfulNames = doubts[r];
         if (!analysed->doubt.empty())
             outcome.warnings.push_back(robotInTrial(robot.name, trialName) + ": " + analysed->doubt);
         if (floorColour)
@@ -204,15 +211,6 @@ Result<void> TrackJob::Impl::analyseAll(std::vector<TrackedView> &tracked)
         for (std::string &warning : analysisWarnings(analysis, trialName))
             outcome.warnings.push_back(std::move(warning));
         addOutcome(std::move(analysis));
-        if (settings.again)
-            continue;
-        std::vector<NameDoubt> its = doubts;
-        std::erase_if(its, [r](const NameDoubt &doubt) { return doubt.robot != r; });
-        double &doubtfulS = outcome.robots.back().doubtfulS.emplace(0);
-        for (const NameDoubt &doubt : its)
-            doubtfulS += doubt.toS - doubt.fromS;
-        if (!its.empty())
-            outcome.warnings.push_back(nameWarning(its, robot.name, trialName));
     }
     return {};
 }
@@ -227,6 +225,8 @@ void TrackJob::Impl::addOutcome(AnalysisRecord analysis)
     result.frames = static_cast<std::int64_t>(analysis.profile.samples.size());
     for (const Sample &sample : analysis.profile.samples)
         result.tracked += sample.position.has_value();
+    if (!settings.again || !analysis.doubtfulNames.empty())
+        result.doubtfulS = doubtfulSeconds(analysis.doubtfulNames);
     result.analysis = std::move(analysis);
     outcome.robots.push_back(std::move(result));
 }

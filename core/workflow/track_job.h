@@ -30,7 +30,7 @@ struct TrackedRobot
     std::int64_t frames = 0;  ///< of the first view
     std::int64_t tracked = 0; ///< of them, with a position
     bool isFoundByColour = false;
-    std::optional<double> doubtfulS; ///< for how long it could not be told from others of its look; empty with `again`
+    std::optional<double> doubtfulS; ///< for how long it could not be told from others of its look; empty with `again` where no such time is stored
     AnalysisRecord analysis;
 };
 

@@ -4,6 +4,8 @@
 #include "core/trajectory/unseen_stretches.h"
 
 #include <cmath>
+#include <iterator>
+#include <set>
 
 namespace odo {
 
@@ -41,17 +43,28 @@ std::vector<std::string> analysisWarnings(const AnalysisRecord &analysis, const 
         sentences = describeUnseenStretches(analysis.profile, analysis.options.longestBridgedGap);
     if (analysis.proof == AnalysisRecord::Proof::Broken)
         sentences.insert(sentences.begin(), changedResults);
+    if (!analysis.doubtfulNames.empty())
+        sentences.push_back(doubtfulNamesSentence(analysis.doubtfulNames, analysis.robotName) + "; give each a colour of its own");
     for (std::string &sentence : sentences)
         sentence = robotInTrial(analysis.robotName, trialName) + ": " + sentence;
     return sentences;
 }
 
-std::string nameWarning(const std::vector<NameDoubt> &doubts, const std::string &robotName, const std::string &trialName)
+std::string doubtfulNamesSentence(std::span<const DoubtfulName> doubts, const std::string &robotName)
 {
-    const NameDoubt &first = doubts.front();
-    const std::string more = doubts.size() > 1 ? ", and " + std::to_string(doubts.size() - 1) + " times more," : "";
-    return robotInTrial(robotName, trialName) + ": from " + formatNumber(first.fromS, 2) + " s to " + formatNumber(first.toS, 2) + " s" + more +
-           " it could not be told from another robot of its look, so that it may be that one from then on; give each a colour of its own";
+    if (doubts.empty())
+        return {};
+    std::set<std::string> others;
+    for (const DoubtfulName &doubt : doubts)
+        others.insert(doubt.otherNames.begin(), doubt.otherNames.end());
+    const std::string howOften = doubts.size() > 1 ? " (the first of " + std::to_string(doubts.size()) + " times)" : "";
+    const std::string when = "from " + formatNumber(toSeconds(doubts.front().from), 2) + " s to " + formatNumber(toSeconds(doubts.front().to), 2) + " s" + howOften;
+    if (others.empty())
+        return when + " it is doubtful whether this is " + robotName + " or another robot of its look";
+    std::string names = robotName;
+    for (auto other = others.begin(); std::next(other) != others.end(); ++other)
+        names += ", " + *other;
+    return when + " it is doubtful whether this is " + names + " or " + *others.rbegin();
 }
 
 std::vector<std::string> stepWarnings(const std::string &trialName,

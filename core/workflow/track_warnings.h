@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/project/records.h"
-#include "core/trajectory/name_assignment.h"
 #include "core/workflow/view_tracking.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,12 +14,13 @@ namespace odo {
 /// How a robot is named in sentences.
 std::string robotInTrial(const std::string &robotName, const std::string &trialName);
 
-/// Whole sentences on an analysis whose results were changed since, or that gave some, but not of all of the task (never of
-/// an imported track). From what is stored, so that they can be told at any time.
+/// Whole sentences on an analysis whose results were changed since, that gave some, but not of all of the task (never of
+/// an imported track), or whose robot may have been taken for another one of its look. From what is stored, so that they can be told at any time.
 std::vector<std::string> analysisWarnings(const AnalysisRecord &analysis, const std::string &trialName);
 
-/// A whole sentence on a robot that may have been taken for another one of its look, at some time at least.
-std::string nameWarning(const std::vector<NameDoubt> &doubts, const std::string &robotName, const std::string &trialName);
+/// "from 3.20 s to 3.90 s it is doubtful whether this is Blue 1 or Blue 2": a robot and those that it may be as well. Of several stretches the
+/// first one, how many there are, and all those robots. Empty for none.
+std::string doubtfulNamesSentence(std::span<const DoubtfulName> doubts, const std::string &robotName);
 
 /// Whole sentences on views that are joined although how they lie against one another in time is not known,
 /// or too little: not synchronised, or with a σ of more than 5 ms, which is 5 mm at 1 m/s. `used`: the views

@@ -166,6 +166,7 @@ AnalysisRecord RecordSource::analysis(RecordId trial, RecordId robot, std::size_
     profile.heightM = positive();
     profile.heightEstimated = true;
     profile.meanViewDisagreementM = positive();
+    record.doubtfulNames = {{Nanoseconds(5), Nanoseconds(9), {robot}, {}}, {Nanoseconds(20), Nanoseconds(20), {}, {}}};
     return record;
 }
 

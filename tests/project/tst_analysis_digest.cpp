@@ -105,6 +105,9 @@ private Q_SLOTS:
         row("metric removed", QStringLiteral("DELETE FROM metric WHERE name='duration'"), results, true);
         row("spike", QStringLiteral("DELETE FROM spike"), results, true);
         row("passage", QStringLiteral("UPDATE gate_passage SET time_ns=time_ns-1"), results, true);
+        row("doubt of a name", QStringLiteral("UPDATE doubtful_name SET to_ns=to_ns+1"), results, true);
+        row("whom it may be", QStringLiteral("DELETE FROM doubtful_name_robot"), results, true);
+        row("all doubts", QStringLiteral("DELETE FROM doubtful_name"), results, true);
         row("setting", QStringLiteral("UPDATE analysis SET max_speed_m_s=1"), results, true);
         row("sample", QStringLiteral("UPDATE analysis_chunk SET samples") + byte.arg(QStringLiteral("samples")), positions, true);
         row("point", QStringLiteral("UPDATE analysis_chunk SET points") + byte.arg(QStringLiteral("points")), positions, true);

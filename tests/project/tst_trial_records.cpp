@@ -246,6 +246,12 @@ private Q_SLOTS:
                     same(a.passages[i].sigmaS, b.passages[i].sigmaS));
             QVERIFY(same(a.passages[i].commonSigmaS, b.passages[i].commonSigmaS));
         }
+        QCOMPARE(read.doubtfulNames.size(), wanted.doubtfulNames.size());
+        for (std::size_t i = 0; i < wanted.doubtfulNames.size(); ++i) {
+            const DoubtfulName &is = read.doubtfulNames[i], &was = wanted.doubtfulNames[i];
+            QVERIFY(is.from == was.from && is.to == was.to && is.others == was.others);
+            QCOMPARE(is.otherNames, was.others.empty() ? std::vector<std::string>() : std::vector<std::string>{"red"});
+        }
         const auto cheap = (*m_project)->analyses().currentMetrics(filled->trial);
         QVERIFY(cheap && cheap->size() == 1 && cheap->front().profile.samples.empty());
         compareMetrics(cheap->front().profile.metrics, b.metrics);
@@ -264,6 +270,9 @@ private Q_SLOTS:
         QCOMPARE((*m_project)->analyses().add(analysis).error().code, ErrorCode::InvalidInput);
         QCOMPARE((*m_project)->analyses().add(m_source.analysis(999, 1, 5)).error().code,
                  ErrorCode::InvalidInput);
+        analysis = m_source.analysis(filled->trial, filled->robot, 5);
+        analysis.doubtfulNames[0].others = {filled->robot + 77}; // no robot
+        QVERIFY(!(*m_project)->analyses().add(analysis));
         QCOMPARE((*m_project)->analyses().current(filled->trial)->front().id, before);
     }
 

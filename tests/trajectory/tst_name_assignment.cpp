@@ -390,6 +390,7 @@ void TestNameAssignment::whereNothingDecidesIsDoubtful()
         QCOMPARE(outcome.doubts[robot].robot, robot);
         QVERIFY(std::abs(outcome.doubts[robot].fromS - 2.2) < 0.1);
         QVERIFY(std::abs(outcome.doubts[robot].toS - 6) < 0.1);
+        QVERIFY((outcome.doubts[robot].others == std::vector<std::size_t>{1 - robot}));
     }
     // Passing one another they go on as they came.
     auto passing = filmAll({{cameraA(), 0, fiveMeetings, {}}, {cameraB(), 0, fiveMeetings, {}}}, {shuttle(0, 0.9, 4), shuttle(0.35, -0.9, 4)}, {red, red}, random);

@@ -109,6 +109,36 @@ private Q_SLOTS:
             QCOMPARE(QString::fromStdString(sentences.front()), said);
     }
 
+    void whoItMayBeIsSaid_data()
+    {
+        using Doubts = std::vector<DoubtfulName>;
+        using namespace std::chrono_literals;
+        QTest::addColumn<Doubts>("doubts");
+        QTest::addColumn<QString>("said");
+        const QString subject = QStringLiteral("robot 'Blue 1' in trial 't': "), advice = QStringLiteral("; give each a colour of its own");
+        QTest::newRow("none") << Doubts{} << QString();
+        QTest::newRow("one") << Doubts{{3204ms, 3898ms, {2}, {"Blue 2"}}}
+                             << subject + QStringLiteral("from 3.20 s to 3.90 s it is doubtful whether this is Blue 1 or Blue 2") + advice;
+        QTest::newRow("three robots") << Doubts{{1s, 2s, {2, 3}, {"Blue 2", "Blue 3"}}}
+                                      << subject + QStringLiteral("from 1.00 s to 2.00 s it is doubtful whether this is Blue 1, Blue 2 or Blue 3") + advice;
+        QTest::newRow("not known who") << Doubts{{1s, 2s, {}, {}}}
+                                       << subject + QStringLiteral("from 1.00 s to 2.00 s it is doubtful whether this is Blue 1 or another robot of its look") + advice;
+        QTest::newRow("twice") << Doubts{{1s, 2s, {3}, {"Blue 3"}}, {5s, 6s, {2}, {"Blue 2"}}}
+                               << subject + QStringLiteral("from 1.00 s to 2.00 s (the first of 2 times) it is doubtful whether this is Blue 1, Blue 2 or Blue 3") + advice;
+    }
+    void whoItMayBeIsSaid()
+    {
+        QFETCH(std::vector<DoubtfulName>, doubts);
+        QFETCH(QString, said);
+        AnalysisRecord analysis;
+        analysis.robotName = std::string("Blue 1");
+        analysis.doubtfulNames = doubts;
+        const auto sentences = analysisWarnings(analysis, "t");
+        QCOMPARE(sentences.size(), std::size_t(said.isEmpty() ? 0 : 1));
+        if (!said.isEmpty())
+            QCOMPARE(QString::fromStdString(sentences.front()), said);
+    }
+
     void hardlyEverFoundIsAnError()
     {
         RobotRecord robot;

@@ -27,6 +27,7 @@ void SpikeModel::setScene(TrialScenePtr scene)
             m_rows.push_back({static_cast<int>(robot), spike, restored});
         }
         addUsedByHand(static_cast<int>(robot), analysis->profile);
+        addDoubts(static_cast<int>(robot), *analysis);
     }
     std::stable_sort(m_rows.begin(), m_rows.end(),
                      [](const Row &a, const Row &b) { return a.spike.time < b.spike.time; });
@@ -46,14 +47,30 @@ void SpikeModel::addUsedByHand(int robot, const Profile &profile)
     }
 }
 
+void SpikeModel::addDoubts(int robot, const AnalysisRecord &analysis)
+{
+    for (const DoubtfulName &doubt : analysis.doubtfulNames) {
+        // At a frame, where the time line stands when it is chosen.
+        const auto frame = m_scene->views.empty() ? std::nullopt : m_scene->frameAt(0, doubt.from);
+        Row &row = m_rows.emplace_back();
+        row.robot = robot;
+        row.spike.sampleIndex = -1;
+        row.spike.time = frame ? m_scene->timeOf(0, *frame) : doubt.from;
+        row.doubt = doubt;
+    }
+}
+
 QString SpikeModel::summary() const
 {
+    const auto doubtful = std::ranges::count_if(m_rows, [](const Row &row) { return row.doubt.has_value(); });
     const auto restored =
         std::count_if(m_rows.begin(), m_rows.end(), [](const Row &row) { return row.restored; });
-    const auto flagged = static_cast<qsizetype>(m_rows.size()) - restored;
+    const auto flagged = static_cast<qsizetype>(m_rows.size()) - restored - doubtful;
     QString text = flagged == 0 ? tr("none") : tr("%1 flagged").arg(flagged);
     if (restored > 0)
         text += QStringLiteral(" · ") + tr("%1 restored").arg(restored);
+    if (doubtful > 0)
+        text += QStringLiteral(" · ") + tr("%1 doubtful").arg(doubtful);
     return text;
 }
 
@@ -63,12 +80,16 @@ QVariant SpikeModel::display(const Row &row, int column) const
     case TimeColumn:
         return secondsText(row.spike.time);
     case ReasonColumn: {
+        if (row.doubt)
+            return tr("Which robot? Until %1").arg(secondsText(row.doubt->to));
         const QString reason = shownWords(row.spike.reason);
         if (reason.isEmpty())
             return tr("used, by hand");
         return row.restored ? tr("%1 (restored by hand)").arg(reason) : reason;
     }
     case StateColumn:
+        if (row.doubt)
+            return QStringLiteral("?");
         return row.restored ? QStringLiteral("↺") : QStringLiteral("⚑");
     default:
         return {};
@@ -83,6 +104,8 @@ QVariant SpikeModel::cell(int index, int column, int role) const
         return display(row, column);
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole:
+        if (row.doubt && column != TimeColumn)
+            return doubtWords(*m_scene, static_cast<std::size_t>(row.robot), *row.doubt);
         if (column == StateColumn) {
             if (row.restored)
                 return tr("Restored by hand");

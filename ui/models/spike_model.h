@@ -4,9 +4,11 @@
 #include "ui/models/row_table_model.h"
 #include "ui/models/trial_scene.h"
 
+#include <optional>
+
 namespace odo {
 
-/// The spikes of all robots of a trial, in order of time.
+/// The spikes of all robots of a trial, and the stretches in which it is doubtful which robot one is, in order of time.
 class SpikeModel : public RowTableModel
 {
     Q_OBJECT
@@ -14,7 +16,7 @@ public:
     enum Columns { TimeColumn, ReasonColumn, StateColumn, ColumnCount };
     enum Roles {
         TimeRole = Qt::UserRole, ///< qint64 nanoseconds
-        SampleIndexRole,         ///< qint64
+        SampleIndexRole,         ///< qint64; −1 of a doubt
         RobotRole,               ///< int, index into TrialScene::robots
         FlagsRole,               ///< uint
         RestoredRole,            ///< bool: a person lifted the flag
@@ -23,7 +25,7 @@ public:
 
     explicit SpikeModel(QObject *parent = nullptr);
     void setScene(TrialScenePtr scene);
-    /// "3 flagged · 1 restored"
+    /// "3 flagged · 1 restored · 2 doubtful"
     QString summary() const;
 
 private:
@@ -35,7 +37,9 @@ private:
         int robot = 0;
         Spike spike;
         bool restored = false;
+        std::optional<DoubtfulName> doubt = {}; ///< then the spike is its beginning alone
     };
+    void addDoubts(int robot, const AnalysisRecord &analysis);
     void addUsedByHand(int robot, const Profile &profile);
     QVariant display(const Row &row, int column) const;
 

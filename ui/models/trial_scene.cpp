@@ -6,6 +6,8 @@
 #include "core/trajectory/view_clock.h"
 #include "core/workflow/imported_tracks.h"
 #include "core/workflow/registered_view.h"
+#include "core/workflow/track_warnings.h"
+#include "ui/models/core_words.h"
 
 #include <algorithm>
 
@@ -206,6 +208,12 @@ std::optional<Eigen::Vector2d> TrialScene::marker(const std::string &label) cons
             return each.pointInWorld;
     }
     return std::nullopt;
+}
+
+QString doubtWords(const TrialScene &scene, std::size_t robot, const DoubtfulName &doubt)
+{
+    const std::string &name = scene.robots.at(robot).robot.name;
+    return joinedWords(QString::fromStdString(name), shownWords(doubtfulNamesSentence({&doubt, 1}, name)));
 }
 
 Result<TrialScenePtr> loadTrialScene(Project &project, const std::string &trialName)

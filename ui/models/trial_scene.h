@@ -7,6 +7,7 @@
 #include "core/trajectory/scoring.h"
 
 #include <Eigen/Geometry>
+#include <QString>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -70,6 +71,9 @@ struct TrialScene
 };
 
 using TrialScenePtr = std::shared_ptr<const TrialScene>;
+
+/// "Blue 1: from 3.20 s to 3.90 s it is doubtful whether this is Blue 1 or Blue 2", as it is shown.
+QString doubtWords(const TrialScene &scene, std::size_t robot, const DoubtfulName &doubt);
 
 /// Reads a trial on the project's thread. The registrations are those of the analysis, or else those in
 /// force. Errors: NotFound with the names there are; those of the repositories.

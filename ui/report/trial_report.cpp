@@ -2,7 +2,9 @@
 #include "ui/report/trial_report.h"
 
 #include "core/trajectory/gate_passages.h"
+#include "core/workflow/track_warnings.h"
 #include "core/workflow/trial_scores.h"
+#include "ui/models/core_words.h"
 #include "ui/models/metric_choice.h"
 #include "ui/models/score_text.h"
 #include "ui/models/shown_team.h"
@@ -209,10 +211,15 @@ void TrialPage::paintTables(const QRectF &rect)
     paintMetrics(tables.metrics);
 }
 
-/// The notes, and lines for a pen where there are none.
+/// When it is doubtful which robot this is, and the notes, or lines for a pen where there are none.
 void TrialPage::paintRemarks(const QRectF &rect)
 {
-    const QRectF room = drawPartTitle(m_painter, rect, TrialReportWords::tr("Remarks"));
+    QRectF room = drawPartTitle(m_painter, rect, TrialReportWords::tr("Remarks"));
+    if (m_analysis && !m_analysis->doubtfulNames.empty()) {
+        const QString words = shownWords(doubtfulNamesSentence(m_analysis->doubtfulNames, m_scene.robots[m_robot].robot.name));
+        room.setTop(room.top() + drawParagraph(m_painter, room, literalName(fullSentence(words)), reportFont(smallSize + 1),
+                                               ThemeColours::of(reportPalette()).spike));
+    }
     if (!m_scene.trial.notes.empty()) {
         drawParagraph(m_painter, room, literalName(m_scene.trial.notes), reportFont(smallSize + 1),
                       ThemeColours::of(reportPalette()).text);

@@ -5,8 +5,11 @@
 #include "ui/views/axis_ticks.h"
 #include "ui/views/theme.h"
 
+#include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QStringList>
+#include <QToolTip>
 
 namespace odo {
 
@@ -130,6 +133,50 @@ void TimeSlider::paintSpikes(QPainter &painter, double y) const
     }
 }
 
+void TimeSlider::paintDoubts(QPainter &painter, double y) const
+{
+    constexpr double height = 5, leastWidth = 5;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QBrush(ThemeColours::of(palette()).spike, Qt::Dense3Pattern));
+    for (const SceneRobot &robot : m_scene->robots) {
+        if (!robot.analysis)
+            continue;
+        for (const DoubtfulName &doubt : robot.analysis->doubtfulNames) {
+            const double left = xOf(doubt.from), right = xOf(doubt.to), more = std::max(0.0, leastWidth - (right - left)) / 2;
+            painter.drawRect(QRectF(left - more, y + 2, right - left + 2 * more, height));
+        }
+    }
+}
+
+/// Of all robots; empty: there are none.
+QString TimeSlider::doubtsAt(double x) const
+{
+    constexpr double reach = 4;
+    QStringList words;
+    for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot) {
+        const auto &analysis = m_scene->robots[robot].analysis;
+        if (!analysis)
+            continue;
+        for (const DoubtfulName &doubt : analysis->doubtfulNames)
+            if (x >= xOf(doubt.from) - reach && x <= xOf(doubt.to) + reach)
+                words << doubtWords(*m_scene, robot, doubt).toHtmlEscaped();
+    }
+    return words.join(QStringLiteral("<br>"));
+}
+
+bool TimeSlider::event(QEvent *event)
+{
+    if (event->type() != QEvent::ToolTip)
+        return QAbstractSlider::event(event);
+    const auto *help = static_cast<QHelpEvent *>(event);
+    const QString words = doubtsAt(help->pos().x());
+    if (words.isEmpty())
+        QToolTip::hideText();
+    else
+        QToolTip::showText(help->globalPos(), QStringLiteral("<p>%1</p>").arg(words), this);
+    return true;
+}
+
 /// Brackets around the range that is selected.
 void TimeSlider::paintSelection(QPainter &painter, double y) const
 {
@@ -160,8 +207,10 @@ void TimeSlider::paintEvent(QPaintEvent *)
     painter.drawRoundedRect(QRectF(left, y - grooveHeight / 2, x - left, grooveHeight), 2, 2);
     paintSelection(painter, y);
     paintSeconds(painter, y + handleRadius + 2);
-    if (m_scene)
+    if (m_scene) {
+        paintDoubts(painter, y - handleRadius - 8);
         paintSpikes(painter, y - handleRadius - 8);
+    }
     if (hasFocus()) {
         QColor halo = colours.accent;
         halo.setAlpha(70);

@@ -9,7 +9,8 @@ namespace odo {
 
 class Timeline;
 
-/// The slider of the time line: value = frame; spikes as triangles above the groove, seconds below it.
+/// The slider of the time line: value = frame; spikes as triangles above the groove, stretches in which it is doubtful which
+/// robot one is as bars there, with words where the mouse rests; seconds below it.
 class TimeSlider : public QAbstractSlider
 {
     Q_OBJECT
@@ -23,6 +24,7 @@ public:
     double xOf(Nanoseconds time) const;
 
 protected:
+    bool event(QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
@@ -34,6 +36,8 @@ private:
     void paintSeconds(QPainter &painter, double y) const;
     void paintSelection(QPainter &painter, double y) const;
     void paintSpikes(QPainter &painter, double y) const;
+    void paintDoubts(QPainter &painter, double y) const;
+    QString doubtsAt(double x) const;
     double grooveY() const;
 
     Timeline &m_timeline;

@@ -18,6 +18,7 @@
 #include "core/video/video_reader.h"
 #include "core/workflow/live_tracking.h"
 #include "core/workflow/profile_change.h"
+#include "core/workflow/track_warnings.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/core_words.h"
 #include "ui/models/error_words.h"
@@ -191,6 +192,20 @@ std::vector<std::string> spikeReasons()
     std::vector<std::string> words;
     for (const Spike &spike : describeSpikes(track, points, Nanoseconds(1'000'000'000)))
         words.push_back(spike.reason);
+    return words;
+}
+
+std::vector<std::string> doubtSentences()
+{
+    std::vector<std::string> words;
+    for (const std::vector<std::string> &others : {std::vector<std::string>{}, {"Left"}, {"Left", "Hall 2"}})
+        for (const int count : {1, 3}) {
+            AnalysisRecord analysis;
+            analysis.robotName = "Hall";
+            analysis.doubtfulNames.assign(std::size_t(count), {Nanoseconds(3'204'000'000), Nanoseconds(3'898'000'000), {}, others});
+            for (const std::string &warning : analysisWarnings(analysis, "Left"))
+                words.push_back(warning);
+        }
     return words;
 }
 
@@ -379,7 +394,7 @@ void TestCoreWords::inEnglishNothingChanges()
 {
     QLocale::setDefault(QLocale(QLocale::German)); // of dates and of numbers, not of words
     for (const auto &sentences :
-         {setupWords(), healthSentences(), spikeReasons(), lensVerdicts(), floorWords(), errorSentences()})
+         {setupWords(), healthSentences(), spikeReasons(), doubtSentences(), lensVerdicts(), floorWords(), errorSentences()})
         for (const std::string &each : sentences)
             QCOMPARE(shownWords(each), QString::fromStdString(each));
     for (const CorePattern &pattern : corePatterns())
@@ -407,6 +422,7 @@ void TestCoreWords::whatCoreSaysIsKnown_data()
     QTest::newRow("set-up doctor") << setupWords();
     QTest::newRow("health") << healthSentences();
     QTest::newRow("spikes") << spikeReasons();
+    QTest::newRow("doubts") << doubtSentences();
     QTest::newRow("lenses") << lensVerdicts();
     QTest::newRow("floor") << floorWords();
     QTest::newRow("errors") << errorSentences();

@@ -121,6 +121,23 @@ private Q_SLOTS:
         QCOMPARE(model.index(0, SpikeModel::ReasonColumn).data().toString(), QStringLiteral("used, by hand"));
         QVERIFY(model.index(0, 0).data(SpikeModel::RestoredRole).toBool());
     }
+    void spikesAndDoubts()
+    {
+        using namespace std::chrono_literals;
+        SpikeModel model;
+        QAbstractItemModelTester tester(&model, strict);
+        auto scene = std::make_shared<TrialScene>(*exampleScene({.frames = 300}));
+        scene->robots[0].analysis->doubtfulNames = {{3405ms, 4200ms, {7}, {"Blue 1"}}};
+        model.setScene(scene);
+        QCOMPARE(model.rowCount(), 4);
+        QCOMPARE(model.summary(), QStringLiteral("2 flagged · 1 restored · 1 doubtful"));
+        const QModelIndex doubt = model.index(1, SpikeModel::ReasonColumn);
+        QCOMPARE(doubt.data().toString(), QStringLiteral("Which robot? Until 4.20\u00a0s"));
+        QCOMPARE(doubt.data(Qt::ToolTipRole).toString(), QStringLiteral("Red 2: from 3.41 s to 4.20 s it is doubtful whether this is Red 2 or Blue 1"));
+        QCOMPARE(doubt.data(SpikeModel::TimeRole).toLongLong(), scene->frameTimes()[102].count()); // the nearest frame
+        QCOMPARE(doubt.data(SpikeModel::SampleIndexRole).toLongLong(), -1);
+        QCOMPARE(model.index(1, SpikeModel::TimeColumn).data().toString(), QStringLiteral("3.40\u00a0s"));
+    }
     void names()
     {
         NameListModel model({QStringLiteral("Trial 1"), QStringLiteral("Trial 2")},

@@ -93,6 +93,19 @@ private Q_SLOTS:
             QVERIFY2(text.contains(QString::fromUtf8(words)), qPrintable(QString::fromUtf8(words) + QStringLiteral(" is not in: ") + text));
         QVERIFY2(!text.contains(u'…'), qPrintable(text));
     }
+    void remarksSayWhenTheRobotIsDoubtful()
+    {
+        const auto scene = exampleCopy();
+        scene->robots.front().analysis->doubtfulNames = {{1200ms, 1500ms, {7}, {"Blue 1"}}, {2s, 2500ms, {8}, {"Blue 2"}}};
+        for (const char *notes : {"", "Slipped on the line"}) {
+            scene->trial.notes = notes;
+            const QString text = printedText(printed(trialPages(contentOf(scene), {}))).simplified();
+            const QString doubt = QStringLiteral("from 1.20 s to 1.50 s (the first of 2 times) it is doubtful whether this is Red 2, Blue 1 or Blue 2.");
+            QVERIFY2(text.contains(doubt) && text.contains(QString::fromUtf8(notes)), qPrintable(text));
+        }
+        scene->robots.front().analysis->doubtfulNames.clear();
+        QVERIFY(!printedText(printed(trialPages(contentOf(scene), {}))).contains(QStringLiteral("doubtful")));
+    }
     void aVaryingRateIsPrinted()
     {
         auto scene = exampleCopy();

@@ -7,18 +7,21 @@
 #include "ui/views/result_panel.h"
 #include "ui/views/spike_list.h"
 #include "ui/views/theme.h"
+#include "ui/views/time_slider.h"
 #include "ui/views/timeline_bar.h"
 
 #include <QAbstractSlider>
 #include <QApplication>
 #include <QComboBox>
 #include <QGridLayout>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <QToolTip>
 
 using namespace odo;
 
@@ -116,6 +119,7 @@ class TestViews : public QObject
     Q_OBJECT
     QTemporaryDir m_folder;
     TrialScenePtr m_scene;
+    QString m_said;
 
 private Q_SLOTS:
     void initTestCase()
@@ -159,6 +163,31 @@ private Q_SLOTS:
         QVERIFY(hasColourNear(image, place(late.x(), late.y(), 0.06), QColor(0x56, 0xb4, 0xe9)));
         QVERIFY(hasColourNear(image, place(2.0, 0, 0), Qt::white, 2));
         QVERIFY(hasColourNear(image, place(0, 1.5, 0), Qt::white, 2));
+    }
+    void theTimeLineSaysWhenARobotIsDoubtful()
+    {
+        using namespace std::chrono_literals;
+        auto scene = std::make_shared<TrialScene>(*m_scene);
+        const auto picture = [&](const TrialScenePtr &shown) {
+            Timeline timeline;
+            timeline.setFrameTimes(shown->frameTimes());
+            TimeSlider slider(timeline);
+            slider.setScene(shown);
+            slider.resize(600, slider.sizeHint().height());
+            slider.show();
+            const QPoint inside(int(slider.xOf(900ms)), slider.height() / 2);
+            QHelpEvent ask(QEvent::ToolTip, inside, slider.mapToGlobal(inside));
+            QApplication::sendEvent(&slider, &ask);
+            m_said = QToolTip::text();
+            QToolTip::hideText();
+            return shot(&slider).copy(QRect(QPoint(int(slider.xOf(750ms)), 0), QSize(100, 12)));
+        };
+        const QImage without = picture(scene);
+        QCOMPARE(m_said, QString());
+        scene->robots[0].analysis->doubtfulNames = {{700ms, 1100ms, {7, 8}, {"Blue 1", "<b>Blue</b> 2"}}};
+        const QImage with = picture(scene);
+        QVERIFY(with != without);
+        QVERIFY2(m_said.contains(QStringLiteral("from 0.70 s to 1.10 s it is doubtful whether this is Red 2, &lt;b&gt;Blue&lt;/b&gt; 2 or Blue 1")), qPrintable(m_said));
     }
     void cameraSaysWhyThereIsNoPicture()
     {
