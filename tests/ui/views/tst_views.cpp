@@ -145,7 +145,7 @@ private Q_SLOTS:
         const QPointF centre = desk.a.fromPicture({seen.ellipse.centrePx.x(), seen.ellipse.centrePx.y()});
         QVERIFY(hasColourNear(image, centre, QColor(0xd7, 0x23, 0x28), 2, 90)); // the box itself
         const double reach =
-            desk.a.fromPicture({seen.ellipse.semiMajorPx, 0}).x() - desk.a.fromPicture({0, 0}).x();
+            desk.a.fromPicture({seen.ellipse.semiMajorPx, 0}).x() - desk.a.fromPicture({0, 0}).x() + 2;
         const QPointF end = centre + QPointF(std::cos(0.1), std::sin(0.1)) * reach;
         QVERIFY(hasColourNear(image, end, QColor(0x56, 0xb4, 0xe9)));
     }
