@@ -12550,10 +12550,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Roboter</translation>
     </message>
     <message>
-        <source>Colour of its top</source>
-        <translation>Farbe oben</translation>
-    </message>
-    <message>
         <source>Drawn in</source>
         <translation>Gezeichnet in</translation>
     </message>
@@ -12594,8 +12590,12 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Roboter %1 löschen</translation>
     </message>
     <message>
-        <source>any look</source>
-        <translation>beliebiges Aussehen</translation>
+        <source>its silhouette</source>
+        <translation>seiner Silhouette</translation>
+    </message>
+    <message>
+        <source>Found by</source>
+        <translation>Erkannt an</translation>
     </message>
 </context>
 <context>

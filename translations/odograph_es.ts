@@ -12550,10 +12550,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Robot</translation>
     </message>
     <message>
-        <source>Colour of its top</source>
-        <translation>Color superior</translation>
-    </message>
-    <message>
         <source>Drawn in</source>
         <translation>Dibujado en</translation>
     </message>
@@ -12594,8 +12590,12 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>eliminar el robot %1</translation>
     </message>
     <message>
-        <source>any look</source>
-        <translation>cualquier aspecto</translation>
+        <source>its silhouette</source>
+        <translation>su silueta</translation>
+    </message>
+    <message>
+        <source>Found by</source>
+        <translation>Se encuentra por</translation>
     </message>
 </context>
 <context>

@@ -12550,10 +12550,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Robot</translation>
     </message>
     <message>
-        <source>Colour of its top</source>
-        <translation>Couleur du sommet</translation>
-    </message>
-    <message>
         <source>Drawn in</source>
         <translation>Dessiné en</translation>
     </message>
@@ -12594,8 +12590,12 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>suppression du robot %1</translation>
     </message>
     <message>
-        <source>any look</source>
-        <translation>aspect quelconque</translation>
+        <source>its silhouette</source>
+        <translation>sa silhouette</translation>
+    </message>
+    <message>
+        <source>Found by</source>
+        <translation>Trouvé par</translation>
     </message>
 </context>
 <context>
@@ -13046,7 +13046,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
     <message>
         <source>Which robot? Until %1</source>
-        <translation>Quel robot ? Jusqu’à %1</translation>
+        <translation>Quel robot&#xa0;? Jusqu’à %1</translation>
     </message>
 </context>
 <context>

@@ -12531,10 +12531,6 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>로봇</translation>
     </message>
     <message>
-        <source>Colour of its top</source>
-        <translation>윗면 색</translation>
-    </message>
-    <message>
         <source>Drawn in</source>
         <translation>표시 색</translation>
     </message>
@@ -12575,8 +12571,12 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>로봇 %1 삭제</translation>
     </message>
     <message>
-        <source>any look</source>
-        <translation>어떤 모습이든</translation>
+        <source>its silhouette</source>
+        <translation>실루엣</translation>
+    </message>
+    <message>
+        <source>Found by</source>
+        <translation>찾는 방법</translation>
     </message>
 </context>
 <context>

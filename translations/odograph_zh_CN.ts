@@ -12531,10 +12531,6 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>机器人</translation>
     </message>
     <message>
-        <source>Colour of its top</source>
-        <translation>顶面颜色</translation>
-    </message>
-    <message>
         <source>Drawn in</source>
         <translation>绘图颜色</translation>
     </message>
@@ -12575,8 +12571,12 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>删除机器人 %1</translation>
     </message>
     <message>
-        <source>any look</source>
-        <translation>任何外观</translation>
+        <source>its silhouette</source>
+        <translation>其轮廓</translation>
+    </message>
+    <message>
+        <source>Found by</source>
+        <translation>寻找依据</translation>
     </message>
 </context>
 <context>

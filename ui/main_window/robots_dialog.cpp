@@ -42,7 +42,7 @@ QString heightText(const RobotRecord &robot)
 QTableWidgetItem *colourItem(const RobotRecord &robot)
 {
     if (!robot.colour)
-        return new QTableWidgetItem(RobotsDialog::tr("any look"));
+        return new QTableWidgetItem(RobotsDialog::tr("its silhouette"));
     QPixmap swatch(listSwatchSide, listSwatchSide);
     swatch.fill(QColor(robot.colour->red, robot.colour->green, robot.colour->blue));
     QIcon icon(swatch);
@@ -70,7 +70,7 @@ RobotsDialog::RobotsDialog(Project &project, bool readOnly, QWidget *parent)
 {
     setWindowTitle(tr("Robots"));
     m_table->setHorizontalHeaderLabels(
-        {tr("Robot"), tr("Colour of its top"), tr("Drawn in"), tr("Height of its top"), tr("Length × width")});
+        {tr("Robot"), tr("Found by"), tr("Drawn in"), tr("Height of its top"), tr("Length × width")});
     m_table->setAccessibleName(tr("Robots"));
     showAsList(*m_table);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -115,7 +115,9 @@ void RobotsDialog::refresh(const std::string &choose)
     m_table->setRowCount(static_cast<int>(m_robots.size()));
     for (int i = 0; i < m_table->rowCount(); ++i) {
         const RobotRecord &robot = m_robots[static_cast<std::size_t>(i)];
-        m_table->setItem(i, NameColumn, new QTableWidgetItem(QString::fromStdString(robot.name)));
+        auto *name = new QTableWidgetItem(QString::fromStdString(robot.name));
+        name->setToolTip(QString::fromStdString(robot.name).toHtmlEscaped()); // a long one is cut off in the list
+        m_table->setItem(i, NameColumn, name);
         m_table->setItem(i, ColourColumn, colourItem(robot));
         m_table->setItem(i, DrawingColumn, drawingItem(robot, palette()));
         m_table->setItem(i, HeightColumn, new QTableWidgetItem(heightText(robot)));
