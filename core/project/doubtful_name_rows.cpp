@@ -4,6 +4,7 @@
 #include "core/project/connection.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 namespace odo {
@@ -36,7 +37,8 @@ Result<std::vector<DoubtfulName>> readDoubtfulNames(const ProjectConnection &con
                                                   "ORDER BY doubtful_name.position, robot_id"));
     auto read = select.bind(analysis).eachRow([&](const Statement &row) -> Result<void> {
         if (last != row.integer(0)) {
-            const Nanoseconds from(row.integer(1)), to(row.integer(2));
+            constexpr std::int64_t latest = std::numeric_limits<std::int64_t>::max() / 2; // so that times can be subtracted
+            const Nanoseconds from(std::clamp<std::int64_t>(row.integer(1), 0, latest)), to(std::clamp<std::int64_t>(row.integer(2), 0, latest));
             doubts.push_back({std::min(from, to), std::max(from, to), {}, {}});
         }
         last = row.integer(0);

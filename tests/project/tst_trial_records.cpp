@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/support.h"
+#include "core/project/connection.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "sample_records.h"
@@ -255,6 +256,19 @@ private Q_SLOTS:
         const auto cheap = (*m_project)->analyses().currentMetrics(filled->trial);
         QVERIFY(cheap && cheap->size() == 1 && cheap->front().profile.samples.empty());
         compareMetrics(cheap->front().profile.metrics, b.metrics);
+    }
+
+    void doubtsOfAnyTimeAreRead()
+    {
+        const auto filled = fill(**m_project, m_source);
+        const RecordId id = (*m_project)->analyses().current(filled->trial)->front().id;
+        const auto connection = ProjectConnection::open((*m_project)->file(), DatabaseAccess::ReadWrite);
+        QVERIFY((*connection)->execute(QStringLiteral("UPDATE doubtful_name SET from_ns=9223372036854775807, to_ns=-9223372036854775807")));
+        const auto read = (*m_project)->analyses().doubtfulNames(id);
+        QVERIFY(read && read->size() == 2);
+        QVERIFY(read->front().from == Nanoseconds(0) && read->front().to > Nanoseconds(0));
+        QVERIFY(read->front().to - read->front().from > Nanoseconds(0)); // in order, and not too far apart for the difference
+        QVERIFY((*m_project)->analyses().doubtfulNames(id + 99)->empty());
     }
 
     void analysesThatCannotBeRightAreRefusedWhole()

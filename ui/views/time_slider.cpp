@@ -142,7 +142,7 @@ void TimeSlider::paintDoubts(QPainter &painter, double y) const
         if (!robot.analysis)
             continue;
         for (const DoubtfulName &doubt : robot.analysis->doubtfulNames) {
-            const double left = xOf(doubt.from), right = xOf(doubt.to), more = std::max(0.0, leastWidth - (right - left)) / 2;
+            const double left = std::clamp(xOf(doubt.from), 0.0, double(width())), right = std::clamp(xOf(doubt.to), 0.0, double(width())), more = std::max(0.0, leastWidth - (right - left)) / 2;
             painter.drawRect(QRectF(left - more, y + 2, right - left + 2 * more, height));
         }
     }
