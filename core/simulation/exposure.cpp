@@ -28,14 +28,16 @@ class Exposure
 public:
     Exposure(const SimulatedScene &scene, int camera, const PictureOutline &outline, double timeS)
         : m_scene(scene), m_camera(camera), m_view(scene.cameras[static_cast<std::size_t>(camera)].view),
-          m_exposureS(scene.cameras[static_cast<std::size_t>(camera)].sensor.exposureS), m_outline(outline),
-          m_timeS(timeS)
+          m_exposureS(scene.cameras[static_cast<std::size_t>(camera)].sensor.exposureS),
+          m_readoutS(scene.cameras[static_cast<std::size_t>(camera)].sensor.readoutS), m_outline(outline), m_timeS(timeS)
     {
     }
 
     std::vector<PaintedThing> things() const
     {
         std::vector<PaintedThing> result;
+        for (const LocalLight &light : m_scene.localLights)
+            keep(localLightThing(light), result);
         for (const Reflection &reflection : m_scene.reflections)
             if (reflection.camera < 0 || reflection.camera == m_camera)
                 keep(reflectionThing(reflection), result);
@@ -95,36 +97,75 @@ private:
         const double share = shareOfExposure(m_timeS, m_exposureS, reflection.startS, reflection.durationS);
         if (share <= 0)
             return thing;
+        addPiece(thing, discOnFloor(reflection.position, reflection.radiusM), toRgb(reflection.colour), share);
+        return thing;
+    }
+
+    PaintedThing localLightThing(const LocalLight &light) const
+    {
+        constexpr int rings = 24; // whose opacities add up to the middle's
+        PaintedThing thing;
+        const double share = std::clamp((m_timeS - light.startS) / light.rampS, 0.0, 1.0);
+        for (int i = 0; i < rings && share > 0; ++i)
+            addPiece(thing, discOnFloor(light.position, light.radiusM * (i + 1) / rings), light.strength > 0 ? Rgb(255, 255, 255, 0) : Rgb(Rgb::Zero()),
+                     share * std::abs(light.strength) / rings);
+        return thing;
+    }
+
+    static std::vector<Eigen::Vector3d> discOnFloor(const Eigen::Vector2d &middle, double radiusM)
+    {
         constexpr int corners = 48;
         std::vector<Eigen::Vector3d> disc;
         for (int i = 0; i < corners; ++i) {
             const double angle = 2 * std::numbers::pi * i / corners;
-            disc.emplace_back(reflection.position.x() + reflection.radiusM * std::cos(angle),
-                              reflection.position.y() + reflection.radiusM * std::sin(angle), 0.0);
+            disc.emplace_back(middle.x() + radiusM * std::cos(angle), middle.y() + radiusM * std::sin(angle), 0.0);
         }
-        addPiece(thing, disc, toRgb(reflection.colour), share);
-        return thing;
+        return disc;
+    }
+
+    /// How much later than the picture's middle a rolling shutter sees a point.
+    double rowDelayS(const Eigen::Vector3d &point) const
+    {
+        const auto pixel = m_readoutS > 0 ? m_view.pixelFromWorld(point) : std::nullopt;
+        const int rows = m_view.camera().intrinsics().heightPx;
+        return pixel ? m_readoutS * (std::clamp(pixel->y() / (rows - 1), 0.0, 1.0) - 0.5) : 0;
+    }
+
+    /// When a rolling shutter sees a body's middle.
+    double seenAtS(const SimulatedRobot &robot) const
+    {
+        const Eigen::Vector2d middle = robot.motion->at(m_timeS).position;
+        return m_timeS + rowDelayS({middle.x(), middle.y(), robot.heightM / 2});
+    }
+
+    /// Where a rolling shutter sees a point of a body that is here at a time near seenAtS: right to first order.
+    Eigen::Vector3d rolled(const Eigen::Vector3d &point, const Eigen::Vector2d &velocity, double bodySeenAtS) const
+    {
+        if (m_readoutS <= 0)
+            return point;
+        const double laterS = m_timeS + rowDelayS(point) - bodySeenAtS;
+        return {point.x() + laterS * velocity.x(), point.y() + laterS * velocity.y(), point.z()};
     }
 
     /// The moments at which a moving robot is painted: so many that it moves half a pixel from one to the
     /// next, each in the middle of its part of the exposure, so that the mean is right to second order.
-    std::vector<double> subSteps(const SimulatedRobot &robot) const
+    std::vector<double> subSteps(const SimulatedRobot &robot, double middleS) const
     {
-        const MotionState start = robot.motion->at(m_timeS - m_exposureS / 2);
-        const MotionState end = robot.motion->at(m_timeS + m_exposureS / 2);
+        const MotionState start = robot.motion->at(middleS - m_exposureS / 2);
+        const MotionState end = robot.motion->at(middleS + m_exposureS / 2);
         const auto pixelOf = [this, &robot](const MotionState &state) {
             return m_view.pixelFromWorld({state.position.x(), state.position.y(), robot.heightM / 2});
         };
         const auto from = pixelOf(start), to = pixelOf(end);
         if (m_exposureS <= 0 || !from || !to)
-            return {m_timeS};
+            return {middleS};
         const double turnPx =
             std::abs(std::remainder(end.headingRad - start.headingRad, 2 * std::numbers::pi)) * 50;
         const double wayPx = (*to - *from).norm() + turnPx;
         const int count = std::clamp(static_cast<int>(std::ceil(wayPx / subStepPx)), 1, mostSubSteps);
         std::vector<double> times;
         for (int i = 0; i < count; ++i)
-            times.push_back(m_timeS + m_exposureS * ((i + 0.5) / count - 0.5));
+            times.push_back(middleS + m_exposureS * ((i + 0.5) / count - 0.5));
         return times;
     }
 
@@ -136,7 +177,7 @@ private:
         PaintedThing thing;
         if (m_scene.floor.shadowStrength <= 0)
             return thing;
-        const MotionState state = robot.motion->at(m_timeS);
+        const MotionState state = robot.motion->at(seenAtS(robot));
         for (int i = 0; i < rings; ++i)
             addPiece(thing, footprint(robot, state, std::min(robot.heightM, highestM) * 0.4 * (i + 0.5) / rings), Rgb::Zero(),
                      m_scene.floor.shadowStrength / rings);
@@ -148,7 +189,7 @@ private:
     {
         constexpr int points = 12;
         PaintedThing thing;
-        const MotionState state = robot.motion->at(m_timeS);
+        const MotionState state = robot.motion->at(seenAtS(robot));
         for (int i = 0; i < points; ++i) {
             // Evenly spread over the disc (H. Vogel 1979).
             const double radius = lamp.radiusM * std::sqrt((i + 0.5) / points), angle = i * std::numbers::pi * (3 - std::sqrt(5.0));
@@ -177,10 +218,16 @@ private:
     void addFaces(PaintedThing &thing, const SimulatedRobot &robot,
                   std::vector<BodyFace> (*facesOf)(const SimulatedRobot &, const MotionState &, const Eigen::Vector3d &), double weight) const
     {
-        const std::vector<double> times = subSteps(robot);
-        for (const double time : times)
-            for (const BodyFace &face : facesOf(robot, robot.motion->at(time), m_view.cameraInWorld()))
+        const double seenS = seenAtS(robot);
+        const std::vector<double> times = subSteps(robot, seenS);
+        for (const double time : times) {
+            const MotionState state = robot.motion->at(time);
+            for (BodyFace &face : facesOf(robot, state, m_view.cameraInWorld())) {
+                for (Eigen::Vector3d &corner : face.corners)
+                    corner = rolled(corner, state.velocity, seenS);
                 addPiece(thing, face.corners, face.colour, weight / static_cast<double>(times.size()));
+            }
+        }
     }
 
     PaintedThing occluderThing(const Occluder &occluder) const
@@ -244,7 +291,7 @@ private:
     const SimulatedScene &m_scene;
     const int m_camera;
     const FloorView &m_view;
-    const double m_exposureS;
+    const double m_exposureS, m_readoutS;
     const PictureOutline &m_outline;
     const double m_timeS;
 };

@@ -66,10 +66,21 @@ struct Lamp
     double strength = 0.3; ///< share of the floor's light that comes from it
 };
 
+/// Light that comes to a part of the floor, or leaves it, slowly: the sun through a window, a cloud before it. It fades out to its edge; things
+/// that stand in it are not lit.
+struct LocalLight
+{
+    Eigen::Vector2d position{0, 0};
+    double radiusM = 0.8;
+    double strength = 0.15; ///< added share of white where it is strongest; negative: of black
+    double startS = 0, rampS = 4; ///< from nothing to all of it
+};
+
 /// What a simulated camera adds to the perfect picture.
 struct SensorModel
 {
     double exposureS = 0.008;    ///< motion blur, averaged over sub-steps
+    double readoutS = 0;         ///< a rolling shutter's, from the first row to the last; the picture's time is that of its middle row
     double noiseSigma = 2.0;     ///< of 255, luma; chroma the same before subsampling
     double flickerAmplitude = 0; ///< of light, 0.05 = ±5 %
     double flickerHz = 100;
@@ -124,6 +135,7 @@ struct SimulatedScene
     std::vector<Reflection> reflections;
     std::vector<Occluder> occluders;
     std::vector<LightChange> lights;
+    std::vector<LocalLight> localLights;
     std::vector<Lamp> lamps;
     std::vector<SimulatedCamera> cameras;
     double durationS = 10;
