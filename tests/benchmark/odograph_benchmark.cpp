@@ -69,7 +69,7 @@ Result<std::vector<MeasuredScene>> measureScenes(const Order &order)
 {
     std::vector<MeasuredScene> measured;
     print(tableHead());
-    for (const std::string &name : sceneNames()) {
+    for (const std::string &name : allSceneNames()) {
         for (unsigned seed = 1; seed <= 3; ++seed) {
             const AccuracyScene scene = makeScene(name, seed);
             const std::filesystem::path folder = order.scenes.toStdString();

@@ -26,7 +26,7 @@ FloorView viewThat(const std::function<FloorView()> &drawn, const std::vector<Ei
     }
 }
 
-FloorView cornerView(SeededDraw &draw, Corner corner)
+FloorView cornerView(SeededDraw &draw, Corner corner, double lowestM = 1.85, double highestM = 2.2)
 {
     const bool right = corner == Corner::NearRight || corner == Corner::FarRight;
     const bool far = corner == Corner::FarLeft || corner == Corner::FarRight;
@@ -35,9 +35,9 @@ FloorView cornerView(SeededDraw &draw, Corner corner)
     };
     const auto drawn = [&] {
         const Eigen::Vector3d camera =
-            mirrored(draw.between(-1.1, -0.5), draw.between(-1.75, -1.2), draw.between(1.85, 2.2));
+            mirrored(draw.between(-1.1, -0.5), draw.between(-1.75, -1.2), draw.between(lowestM, highestM));
         const Eigen::Vector3d lookAt = mirrored(draw.between(1.2, 1.6), draw.between(0.6, 1.0), 0);
-        return simulatedView(camera, lookAt, widthPx, heightPx, draw.between(860, 1020));
+        return simulatedView(camera, lookAt, widthPx, heightPx, draw.between(860, 1020) * (lowestM < 1.5 ? 0.85 : 1));
     };
     return viewThat(drawn, {{0, 0}, {floorLengthM, 0}, {0, floorWidthM}, {floorLengthM, floorWidthM}});
 }
@@ -79,11 +79,19 @@ bool isInPicture(const FloorView &view, const Eigen::Vector3d &pointInWorld, dou
            pixel->y() < heightPx - 1 - borderPx;
 }
 
-SimulatedScene drawnTestbed(SeededDraw &draw, const std::vector<Corner> &corners)
+SimulatedScene drawnTestbed(SeededDraw &draw, const Corners &corners)
 {
     SimulatedScene scene = emptyFloor(draw);
     for (const Corner corner : corners)
         addCamera(scene, draw, cornerView(draw, corner));
+    return scene;
+}
+
+SimulatedScene drawnTestbedFrom(SeededDraw &draw, double lowestM, double highestM)
+{
+    SimulatedScene scene = emptyFloor(draw);
+    for (const Corner corner : {Corner::NearLeft, Corner::NearRight})
+        addCamera(scene, draw, cornerView(draw, corner, lowestM, highestM));
     return scene;
 }
 

@@ -29,7 +29,7 @@ struct Order
 Order orderFrom(const QCoreApplication &app)
 {
     QStringList known;
-    for (const std::string &name : sceneNames())
+    for (const std::string &name : allSceneNames())
         known << QString::fromStdString(name);
     QCommandLineParser parser;
     parser.setApplicationDescription(QStringLiteral("Scenes: ") + known.join(u' '));

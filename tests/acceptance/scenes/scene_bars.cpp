@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/acceptance/scenes/scene_bars.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 namespace odo::test {
 
@@ -51,7 +53,7 @@ private:
     std::vector<BarResult> m_results;
 };
 
-void judgeCurves(Judge &judge)
+void judgeSolids(Judge &judge)
 {
     const Pick told = [](const MeasuredScene &m) { return m.scene.sizeTold(); };
     const Pick notTold = [](const MeasuredScene &m) { return !m.scene.sizeTold(); };
@@ -66,28 +68,31 @@ void judgeCurves(Judge &judge)
     judge.rms(QStringLiteral("acceleration RMS, hard, mm/s2"), &AccuracySums::accelerationRmsMmS2, 450, hard);
 }
 
-} // namespace
+/// What is told of all scenes together, whatever their kind.
+void judgeTogether(Judge &judge, const AccuracySums &all, const std::vector<MeasuredScene> &scenes)
+{
+    const auto failed = std::ranges::count_if(scenes, [](const MeasuredScene &scene) { return !scene.problem.isEmpty(); });
+    judge.add(QStringLiteral("calls that failed"), double(failed), 0, 0);
+    judge.add(QStringLiteral("truth in the 95 % interval, x, %"), 100 * all.share(all.insideX), 92, 98);
+    judge.add(QStringLiteral("truth in the 95 % interval, y, %"), 100 * all.share(all.insideY), 92, 98);
+    judge.add(QStringLiteral("exchanges of names"), double(all.exchanges), 0, 0);
+}
 
-std::vector<BarResult> judge(const std::vector<MeasuredScene> &scenes)
+std::vector<BarResult> judgeSolidScenes(const std::vector<MeasuredScene> &scenes)
 {
     Judge judge(scenes);
-    judgeCurves(judge);
+    judgeSolids(judge);
     AccuracySums all;
     double worstOffsetS = -1;
-    long failed = 0, leftOut = 0;
     for (const MeasuredScene &scene : scenes) {
         all += scene.sums();
-        failed += !scene.problem.isEmpty();
         if (scene.offsetErrorS)
             worstOffsetS = std::max(worstOffsetS, std::abs(*scene.offsetErrorS));
     }
-    leftOut = all.frames - all.withPosition;
-    judge.add(QStringLiteral("calls that failed"), double(failed), 0, 0);
+    judgeTogether(judge, all, scenes);
     // Or a good figure could be had by leaving the hard frames out.
     judge.add(QStringLiteral("frames without a position, %"),
-              all.frames > 0 ? 100.0 * double(leftOut) / double(all.frames) : 100, 0, 2);
-    judge.add(QStringLiteral("truth in the 95 % interval, x, %"), 100 * all.share(all.insideX), 92, 98);
-    judge.add(QStringLiteral("truth in the 95 % interval, y, %"), 100 * all.share(all.insideY), 92, 98);
+              all.frames > 0 ? 100.0 * double(all.frames - all.withPosition) / double(all.frames) : 100, 0, 2);
     judge.add(QStringLiteral("truth in the 95 % interval, speed, %"), 100 * all.share(all.insideSpeed), 92,
               98);
     if (all.recall())
@@ -96,11 +101,48 @@ std::vector<BarResult> judge(const std::vector<MeasuredScene> &scenes)
         judge.add(QStringLiteral("spikes: precision"), *all.precision(), 0.95, 1);
     if (worstOffsetS >= 0)
         judge.add(QStringLiteral("clip offset error, worst, ms"), 1000 * worstOffsetS, 0, 2);
-    judge.add(QStringLiteral("exchanges of names"), double(all.exchanges), 0, 0);
     if (all.hiddenInOneView > 0)
         judge.add(QStringLiteral("hidden in a view, with a position, %"),
                   100.0 * double(all.hiddenWithPosition) / double(all.hiddenInOneView), 100, 100);
     return judge.take();
+}
+
+std::vector<BarResult> judgeLooks(const std::vector<MeasuredScene> &scenes)
+{
+    Judge judge(scenes);
+    judge.rms(QStringLiteral("position RMS, size told, mm"), &AccuracySums::positionRmsMm, 3, [](const MeasuredScene &m) { return m.scene.sizeTold(); });
+    judge.rms(QStringLiteral("position RMS, size not told, mm"), &AccuracySums::positionRmsMm, 5, [](const MeasuredScene &m) { return !m.scene.sizeTold(); });
+    const Pick every = [](const MeasuredScene &) { return true; };
+    judge.rms(QStringLiteral("velocity RMS, mm/s"), &AccuracySums::velocityRmsMmS, 15, every);
+    judge.rms(QStringLiteral("acceleration RMS, mm/s2"), &AccuracySums::accelerationRmsMmS2, 300, every);
+    AccuracySums all;
+    double leastFound = 1, leastInside = 1;
+    for (const MeasuredScene &scene : scenes) {
+        const AccuracySums sums = scene.sums();
+        all += sums;
+        leastFound = std::min(leastFound, sums.frames > 0 ? double(sums.withPosition) / double(sums.frames) : 0);
+        leastInside = std::min(leastInside, (sums.share(sums.insideX) + sums.share(sums.insideY)) / 2);
+    }
+    judgeTogether(judge, all, scenes);
+    judge.add(QStringLiteral("truth in the 95 % interval, worst scene, %"), 100 * leastInside, 80, 100);
+    judge.add(QStringLiteral("frames with a position, worst scene, %"), 100 * leastFound, 99.5, 100);
+    judge.add(QStringLiteral("false spikes in 1000 frames"), all.frames > 0 ? 1000.0 * double(all.flagged - all.justlyFlagged) / double(all.frames) : 0, 0, 1);
+    return judge.take();
+}
+
+} // namespace
+
+std::vector<BarResult> judge(const std::vector<MeasuredScene> &scenes)
+{
+    std::vector<MeasuredScene> solids, looks;
+    for (const MeasuredScene &scene : scenes)
+        (scene.scene.kind == SceneKind::Look ? looks : solids).push_back(scene);
+    std::vector<BarResult> results;
+    if (!solids.empty())
+        results = judgeSolidScenes(solids);
+    if (!looks.empty())
+        std::ranges::move(judgeLooks(looks), std::back_inserter(results));
+    return results;
 }
 
 } // namespace odo::test

@@ -4,18 +4,18 @@
 #include "tests/acceptance/scenes/drawn_motions.h"
 #include "tests/acceptance/scenes/drawn_testbed.h"
 #include "tests/acceptance/scenes/hard_scenes.h"
+#include "tests/acceptance/scenes/look_scenes.h"
 #include "tests/acceptance/scenes/scene_robots.h"
 
+#include <algorithm>
 #include <cassert>
 #include <functional>
+#include <iterator>
 #include <utility>
 
 namespace odo::test {
 
 namespace {
-
-using Corners = std::vector<Corner>;
-const Corners nearSide{Corner::NearLeft, Corner::NearRight}, across{Corner::NearLeft, Corner::FarRight};
 
 AccuracyScene withRobot(SeededDraw &draw, const Corners &corners, double durationS,
                         const SimulatedRobot &robot, bool sizeTold = true)
@@ -190,27 +190,40 @@ const std::vector<std::pair<std::string, Maker>> &plainScenes()
     return scenes;
 }
 
+constexpr SceneKind allKinds[] = {SceneKind::Plain, SceneKind::Hard, SceneKind::Look};
+
+const std::vector<std::pair<std::string, Maker>> &scenesOf(SceneKind kind)
+{
+    return kind == SceneKind::Plain ? plainScenes() : kind == SceneKind::Hard ? hardScenes() : lookScenes();
+}
+
 } // namespace
 
-std::vector<std::string> sceneNames()
+std::vector<std::string> sceneNames(SceneKind kind)
 {
     std::vector<std::string> names;
-    for (const auto &[name, maker] : plainScenes())
+    for (const auto &[name, maker] : scenesOf(kind))
         names.push_back(name);
-    for (const auto &[name, maker] : hardScenes())
-        names.push_back(name);
+    return names;
+}
+
+std::vector<std::string> allSceneNames()
+{
+    std::vector<std::string> names;
+    for (const SceneKind kind : allKinds)
+        std::ranges::move(sceneNames(kind), std::back_inserter(names));
     return names;
 }
 
 AccuracyScene makeScene(const std::string &name, unsigned seed)
 {
     SeededDraw draw(name, seed);
-    for (const auto *scenes : {&plainScenes(), &hardScenes()}) {
-        for (const auto &[known, maker] : *scenes) {
+    for (const SceneKind kind : allKinds) {
+        for (const auto &[known, maker] : scenesOf(kind)) {
             if (known != name)
                 continue;
             AccuracyScene scene = maker(draw);
-            scene.kind = scenes == &plainScenes() ? SceneKind::Plain : SceneKind::Hard;
+            scene.kind = kind;
             scene.name = name;
             scene.seed = seed;
             return scene;

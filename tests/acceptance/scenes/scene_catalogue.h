@@ -15,9 +15,8 @@ struct ToldRobot
     std::string name, colour, height, size;
 };
 
-/// Which bars of the velocity and the acceleration hold: those of the plain scenes, or those with spikes,
-/// occlusion or several robots.
-enum class SceneKind { Plain, Hard };
+/// Which bars hold: those of the plain scenes of coloured solids, those of such with spikes, occlusion or several robots, or those of robots of any look.
+enum class SceneKind { Plain, Hard, Look };
 
 /// One simulated recording with known truth, and what the program is told of it.
 struct AccuracyScene
@@ -35,9 +34,10 @@ struct AccuracyScene
     bool sizeTold() const { return !told.front().size.empty(); }
 };
 
-/// In the order in which they are measured: plain ones first.
-std::vector<std::string> sceneNames();
-/// The scene of a name with all that a seed draws. The name must be one of sceneNames().
+/// Those of a kind, in the order in which they are measured.
+std::vector<std::string> sceneNames(SceneKind kind);
+std::vector<std::string> allSceneNames();
+/// The scene of a name with all that a seed draws. The name must be one of allSceneNames().
 AccuracyScene makeScene(const std::string &name, unsigned seed);
 
 } // namespace odo::test

@@ -9,6 +9,7 @@
 #include "tests/acceptance/scenes/scene_recipe.h"
 
 #include <fstream>
+#include <numbers>
 #include <sstream>
 #include <thread>
 
@@ -53,6 +54,21 @@ Result<void> renderCamera(const AccuracyScene &scene, const SceneMedia &media, s
                        scene.recording, {});
 }
 
+Result<void> writeTruth(const AccuracyScene &scene, const SceneMedia &media)
+{
+    for (const SimulatedRobot &robot : scene.scene.robots) {
+        std::ostringstream text;
+        text << "t_s,x_mm,y_mm,heading_deg\n";
+        for (std::int64_t frame = 0; frame < frameCount(scene.scene, 0); ++frame) {
+            const MotionState state = robot.motion->at(frameSceneTime(scene.scene, 0, frame));
+            text << toSeconds(frameStamp(scene.scene, 0, frame)) << ',' << 1000 * state.position.x() << ',' << 1000 * state.position.y() << ',' << state.headingRad * 180 / std::numbers::pi << '\n';
+        }
+        if (auto written = writeOutput(media.truth(robot), text.str()); !written)
+            return written;
+    }
+    return {};
+}
+
 } // namespace
 
 fs::path SceneMedia::board(const SimulatedCamera &camera, int number) const
@@ -71,6 +87,8 @@ Result<SceneMedia> provideMedia(const AccuracyScene &scene, const fs::path &fold
     fs::remove_all(folder);
     fs::create_directories(folder / "boards");
     if (auto written = writeLayoutCsv(media.layout(), scene.scene.floor.markers); !written)
+        return tl::unexpected(written.error());
+    if (auto written = writeTruth(scene, media); !written)
         return tl::unexpected(written.error());
     std::vector<Result<void>> results(scene.scene.cameras.size());
     std::vector<std::thread> threads;

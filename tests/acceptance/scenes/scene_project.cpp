@@ -124,8 +124,9 @@ private:
     bool addRobots()
     {
         for (const ToldRobot &robot : m_out.scene.told) {
-            QStringList arguments{s("robot"),    s("add"),      m_project,
-                                  q(robot.name), s("--colour"), q(robot.colour)};
+            QStringList arguments{s("robot"), s("add"), m_project, q(robot.name)};
+            if (!robot.colour.empty())
+                arguments << s("--colour") << q(robot.colour);
             if (!robot.height.empty())
                 arguments << s("--height") << q(robot.height);
             if (!robot.size.empty())

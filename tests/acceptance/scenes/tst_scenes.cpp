@@ -9,7 +9,7 @@
 using namespace odo::test;
 
 /// The accuracy that is demanded, on scenes with known truth, through the command line: the seeds of the
-/// environment's ODOGRAPH_SCENE_SEEDS (1).
+/// environment's ODOGRAPH_SCENE_SEEDS (1), of solids of one colour or, with ODOGRAPH_SCENE_LOOKS, of robots of any look.
 class TestScenes : public QObject
 {
     Q_OBJECT
@@ -26,9 +26,11 @@ class TestScenes : public QObject
     static std::vector<AccuracyScene> allScenes()
     {
         std::vector<AccuracyScene> scenes;
-        for (const std::string &name : sceneNames())
-            for (const QString &seed : seeds())
-                scenes.push_back(makeScene(name, seed.toUInt()));
+        const bool looks = qEnvironmentVariableIsSet("ODOGRAPH_SCENE_LOOKS");
+        for (const SceneKind kind : looks ? std::vector{SceneKind::Look} : std::vector{SceneKind::Plain, SceneKind::Hard})
+            for (const std::string &name : sceneNames(kind))
+                for (const QString &seed : seeds())
+                    scenes.push_back(makeScene(name, seed.toUInt()));
         return scenes;
     }
 
