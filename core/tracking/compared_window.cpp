@@ -10,6 +10,7 @@ namespace odo {
 
 namespace {
 
+constexpr float plainSteps = 6;                    // of the least step: half of black on grey
 constexpr float textureJitter = 0.08F;             // of the luma's slope: what coding and a lens that breathes move, pixels
 constexpr float darkest = 0.40F, lightest = 0.99F; // of the floor in shadow against the floor in light
 constexpr float darkestFloor = 12;                 // code values above black: on a darker one a shadow is not seen
@@ -84,6 +85,7 @@ void ComparedWindow::read(const Frame &frame, const Background &background, cons
 void ComparedWindow::findDifferences()
 {
     differs.create(luma.size());
+    plain.create(luma.size());
     for (int y = 0; y < luma.rows; ++y) {
         const float *above = lumaBehind[std::max(0, y - 1)], *here = lumaBehind[y], *below = lumaBehind[std::min(luma.rows - 1, y + 1)];
         for (int x = 0; x < luma.cols; ++x) {
@@ -92,8 +94,10 @@ void ComparedWindow::findDifferences()
             lumaNoise2(y, x) = noise2;
             const float dy = luma(y, x) - here[x], du = u(y, x) - uBehind(y, x), dv = v(y, x) - vBehind(y, x);
             const float excess = dy * dy / noise2 + (du * du + dv * dv) / chromaNoise2(y, x);
-            const bool isStep = std::abs(dy) > leastLumaStep || std::max(std::abs(du), std::abs(dv)) > leastChromaStep;
-            differs(y, x) = isStep && excess > differsInSigmas2 ? 1 : 0;
+            const float lumaSteps = std::abs(dy) / leastLumaStep, chromaSteps = std::max(std::abs(du), std::abs(dv)) / leastChromaStep;
+            const float steps = std::max(lumaSteps, chromaSteps);
+            differs(y, x) = steps > 1 && excess > differsInSigmas2 ? 1 : 0;
+            plain(y, x) = differs(y, x) && steps > plainSteps ? 1 : 0;
         }
     }
 }

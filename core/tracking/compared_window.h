@@ -16,6 +16,7 @@ struct ComparedWindow
     cv::Mat1f lumaBehind, uBehind, vBehind;
     cv::Mat1f lumaNoise2, chromaNoise2; ///< variances
     cv::Mat1b differs;                  ///< 1 where luma or chroma differ by more than the place varies
+    cv::Mat1b plain;                    ///< 1 where they differ by so much that even a few pixels of it are no noise
     cv::Mat1b shade;                    ///< 1 where it may be floor in shadow
 
     /// Compares a part that lies in the frame, whose format is the background's.

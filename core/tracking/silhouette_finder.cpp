@@ -18,6 +18,7 @@ constexpr int lattice = 4;                 // of the search through the whole pi
 constexpr int windowMargin = 20;           // round what was found on the lattice
 constexpr int mostSilhouettes = 16;
 constexpr double mostShare = 0.4;          // of the picture that robots take up
+constexpr double leastFragmentPx = 12;     // of a part that is taken with a body
 constexpr int edgeReach = 4;               // pixels round one on a region's edge, in which both sides are looked at
 constexpr float half = 0.5F;
 
@@ -62,6 +63,8 @@ struct SilhouetteFinder::Impl
 
     cv::Mat1b differencesOnLattice(const Frame &frame) const;
     bool fits(const Frame &frame) const;
+    int firstPiece = 0; ///< of the window's shadow pieces
+
     void takeRegions();
     void measure(const cv::Mat1b &region, const cv::Rect &box, SeenSilhouette &silhouette) const;
 };
@@ -212,31 +215,65 @@ void SilhouetteFinder::Impl::measure(const cv::Mat1b &region, const cv::Rect &bo
         silhouette.meanChroma = Chroma(su / inside, sv / inside);
 }
 
+/// Takes away what is thin and reaches far out of a region: cables, aerials and masts are no part of a body's form, and often move in it.
+void cutAppendages(cv::Mat1b &region, const std::vector<cv::Point> &outline)
+{
+    constexpr double thin = 0.12, farOut = 0.25, leastHollow = 1.1; // of the side of a square of its area; of its hull's area
+    std::vector<cv::Point> hull;
+    cv::convexHull(outline, hull);
+    const double area = cv::contourArea(outline), side = std::sqrt(area);
+    const int width = int(thin * side) | 1;
+    if (width < 3 || cv::contourArea(hull) < leastHollow * area)
+        return;
+    cv::Mat1b body;
+    cv::morphologyEx(region, body, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_ELLIPSE, {width, width}));
+    std::vector<cv::Point> points;
+    cv::findNonZero(body, points);
+    if (points.empty())
+        return;
+    cv::convexHull(points, hull);
+    std::vector<std::vector<cv::Point>> rests;
+    cv::findContours(region & (body == 0), rests, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+    for (std::size_t k = 0; k < rests.size(); ++k) {
+        const bool isFar = std::ranges::any_of(rests[k], [&](const cv::Point &point) { return cv::pointPolygonTest(hull, cv::Point2f(point), true) < -farOut * side; });
+        if (isFar)
+            cv::drawContours(region, rests, int(k), cv::Scalar(0), cv::FILLED);
+    }
+}
+
 void SilhouetteFinder::Impl::takeRegions()
 {
     ComparedWindow &w = window;
     const cv::Mat1b clear = w.differs & (w.shade == 0), small = cv::getStructuringElement(cv::MORPH_ELLIPSE, {3, 3});
     cv::Mat1b taken;
     cv::morphologyEx(clear, taken, cv::MORPH_OPEN, small); // a speck would move the hull
+    taken |= clear & w.plain;                              // but a part may be a few pixels wide
     if (cv::countNonZero(taken) < leastAreaPx) // nothing that cannot be a shadow: perhaps a robot of the floor's own hue
         cv::morphologyEx(w.differs, taken, cv::MORPH_OPEN, small);
     cv::morphologyEx(taken, taken, cv::MORPH_CLOSE, cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5}));
+    cv::Mat1i pieces;
+    cv::connectedComponents(taken | w.differs, pieces, 8, CV_32S);
     std::vector<std::vector<cv::Point>> outlines;
     cv::findContours(taken, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
     for (std::size_t k = 0; k < outlines.size(); ++k) {
         const cv::Rect box = cv::boundingRect(outlines[k]);
         cv::Mat1b region = cv::Mat1b::zeros(taken.size());
         cv::drawContours(region, outlines, int(k), cv::Scalar(1), cv::FILLED);
+        cutAppendages(region, outlines[k]);
         SeenSilhouette silhouette;
         silhouette.box = {w.rect.x0 + box.x, w.rect.y0 + box.y, w.rect.x0 + box.x + box.width, w.rect.y0 + box.y + box.height};
         measure(region, box, silhouette);
-        if (silhouette.moments.areaPx2 < leastAreaPx)
+        if (silhouette.moments.areaPx2 < leastFragmentPx)
             continue;
+        silhouette.shadowPiece = firstPiece + pieces(outlines[k].front());
         silhouette.clearShare = double(cv::countNonZero(clear & region)) / double(cv::countNonZero(region));
         const int right = background.y.width - 2, bottom = background.y.height - 2;
         silhouette.touchesBorder = silhouette.box.x0 < 2 || silhouette.box.y0 < 2 || silhouette.box.x1 > right || silhouette.box.y1 > bottom;
         found.push_back(std::move(silhouette));
     }
+    double most = 0;
+    cv::minMaxLoc(pieces, nullptr, &most);
+    firstPiece += int(most);
 }
 
 SilhouetteFinder::SilhouetteFinder(Background background) : m_impl(std::make_unique<Impl>())
@@ -252,6 +289,7 @@ const std::vector<SeenSilhouette> &SilhouetteFinder::find(const Frame &frame)
 {
     Impl &d = *m_impl;
     d.found.clear();
+    d.firstPiece = 0;
     const Background::Plane &behind = d.background.y;
     const PixelRect picture{0, 0, behind.width, behind.height};
     if (!d.fits(frame))
@@ -264,7 +302,11 @@ const std::vector<SeenSilhouette> &SilhouetteFinder::find(const Frame &frame)
         d.window.compare(frame, d.background, d.gain, rect);
         d.takeRegions();
     }
-    std::ranges::sort(d.found, std::greater<>(), [](const SeenSilhouette &one) { return one.moments.areaPx2; });
+    const auto areaOf = [](const SeenSilhouette &one) { return one.moments.areaPx2; };
+    std::ranges::sort(d.found, std::greater<>(), areaOf);
+    joinFragments(d.found);
+    std::erase_if(d.found, [&](const SeenSilhouette &one) { return areaOf(one) < leastAreaPx; });
+    std::ranges::sort(d.found, std::greater<>(), areaOf);
     if (d.found.size() > mostSilhouettes)
         d.found.resize(mostSilhouettes);
     return d.found;

@@ -20,6 +20,7 @@ struct SeenSilhouette
     std::vector<float> supportPx; ///< of the hull about the moments' centre
     Eigen::Matrix2d centreCovariancePx2 = Eigen::Matrix2d::Zero();
     Chroma meanChroma = Chroma::Zero();
+    int shadowPiece = 0; ///< what differs in one piece, shadows and all, has one number
     double clearShare = 1;      ///< of its pixels: that cannot be a shadow on the floor
     bool touchesBorder = false; ///< cut by the picture's edge
 };

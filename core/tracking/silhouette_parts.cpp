@@ -13,6 +13,9 @@ namespace odo {
 namespace {
 
 constexpr double edgeSigmaPx = 0.3, edgeLengthPx = 5, centreSigmaPx = 0.05;
+constexpr double mostOfBody = 0.3;  // of its area: what is larger is no fragment of it
+constexpr double mostFragmentGap = 0.12, mostShadowGap = 0.5; // between a body and a fragment, in sides of the body
+constexpr double mostGrown = 1.25; // of a body's hull, by all of its fragments
 constexpr double mostGap = 4; // between parts of one body, in sides of the smaller one
 
 /// Between two boxes; 0 where they touch.
@@ -20,6 +23,13 @@ double gapPx(const PixelRect &a, const PixelRect &b)
 {
     const int x = std::max({a.x0 - b.x1, b.x0 - a.x1, 0}), y = std::max({a.y0 - b.y1, b.y0 - a.y1, 0});
     return std::hypot(x, y);
+}
+
+bool isFragmentOf(const SeenSilhouette &body, const SeenSilhouette &small)
+{
+    const double side = std::sqrt(body.moments.areaPx2);
+    const bool hangsTogether = small.shadowPiece == body.shadowPiece;
+    return small.moments.areaPx2 < mostOfBody * body.moments.areaPx2 && gapPx(body.box, small.box) < (hangsTogether ? mostShadowGap : mostFragmentGap) * side;
 }
 
 bool mayBelongTogether(const SeenSilhouette &a, const SeenSilhouette &b)
@@ -39,6 +49,26 @@ void measureHull(SeenSilhouette &silhouette, std::vector<Eigen::Vector2d> edgePo
     const double perimeter = 4 * std::sqrt(moments.areaPx2);
     silhouette.centreCovariancePx2 = moments.covariancePx2 * (4 * edgeSigmaPx * edgeSigmaPx * edgeLengthPx * perimeter / (moments.areaPx2 * moments.areaPx2));
     silhouette.centreCovariancePx2.diagonal().array() += centreSigmaPx * centreSigmaPx;
+}
+
+void joinFragments(std::vector<SeenSilhouette> &seen)
+{
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        std::vector<std::size_t> parts{i};
+        for (std::size_t j = i + 1; j < seen.size(); ++j)
+            if (isFragmentOf(seen[i], seen[j]))
+                parts.push_back(j);
+        if (parts.size() == 1)
+            continue;
+        SeenSilhouette whole = joined(seen, parts);
+        if (whole.moments.areaPx2 > mostGrown * seen[i].moments.areaPx2)
+            continue;
+        whole.regions = 1;
+        whole.shadowPiece = seen[i].shadowPiece;
+        seen[i] = std::move(whole);
+        for (auto part = parts.rbegin(); part + 1 != parts.rend(); ++part)
+            seen.erase(seen.begin() + std::ptrdiff_t(*part));
+    }
 }
 
 std::vector<std::vector<std::size_t>> groupsOfParts(const std::vector<SeenSilhouette> &seen)

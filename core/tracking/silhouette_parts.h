@@ -10,6 +10,10 @@ namespace odo {
 /// Takes the convex hull of points of a silhouette's edge, and what is measured of it.
 void measureHull(SeenSilhouette &silhouette, std::vector<Eigen::Vector2d> edgePoints);
 
+/// Joins to each silhouette the small ones that are near it, or that hang together with it by its shadow: a wheel behind a side that looks like the floor. seen: the
+/// largest first, and so are they left.
+void joinFragments(std::vector<SeenSilhouette> &seen);
+
 /// Silhouettes that may be parts of one body, of which what lies between looks like the floor: those that are so near one another for their size, in groups of two
 /// or more, as indices. Pure.
 std::vector<std::vector<std::size_t>> groupsOfParts(const std::vector<SeenSilhouette> &seen);
