@@ -60,11 +60,18 @@ public:
     /// nullopt: the outline tells nothing.
     std::optional<OutlineMisfit> misfit(std::size_t i) const
     {
-        const ViewTrack &view = m_views[m_places[i].view];
+        return isClear(i) ? OutlineMisfit::create(*m_views[m_places[i].view].floorView, m_shape, outlineMoments(observationAt(m_places[i]))) : std::nullopt;
+    }
+
+    /// The direction near one that is about known; nullopt as before.
+    std::optional<BodyAxis> bySupport(std::size_t i, const OutlineDifference &difference, double aboutRad) const
+    {
+        constexpr double followRad = 0.3; // from one observation to the next
         const Observation &observation = observationAt(m_places[i]);
-        const bool clear = view.floorView && observation.found && !observation.duplicateFrame &&
-                           !observation.touchesBorder && observation.score >= leastAxisScore;
-        return clear ? OutlineMisfit::create(*view.floorView, m_shape, outlineMoments(observation)) : std::nullopt;
+        const auto &view = m_views[m_places[i].view].floorView;
+        const auto start = isClear(i) ? view->floorFromPixel(observation.ellipse.centrePx, middleHeightM(m_shape)) : std::nullopt;
+        const auto placed = start ? placeBySupport(*view, m_shape, observation, difference, {*start, {aboutRad, followRad}}) : std::nullopt;
+        return placed && placed->axis.sigmaRad < followRad / 2 ? std::optional(placed->axis) : std::nullopt;
     }
 
     void measure(std::size_t i, const BodyAxis &axis)
@@ -76,6 +83,12 @@ public:
     }
 
 private:
+    bool isClear(std::size_t i) const
+    {
+        const Observation &observation = observationAt(m_places[i]);
+        return m_views[m_places[i].view].floorView && observation.found && !observation.duplicateFrame && !observation.touchesBorder &&
+               observation.score >= leastAxisScore;
+    }
     const Observation &observationAt(Place place) const
     {
         return m_views[place.view].observations[place.observation];
@@ -197,25 +210,39 @@ std::vector<std::vector<BodyAxis>> trackAxis(const std::vector<ViewTrack> &views
     return axes;
 }
 
-std::vector<std::vector<BodyAxis>> refineDirections(const std::vector<ViewTrack> &views, const SolidShape &shape,
-                                                    std::vector<std::vector<BodyAxis>> directed)
+std::vector<std::vector<BodyAxis>> trackDirection(const std::vector<ViewTrack> &views, const SolidShape &shape, const OutlineDifference &difference,
+                                                  const std::vector<BodyPose> &poses)
 {
     AxisNodes all(views, shape);
-    const auto known = [&](std::size_t i) -> BodyAxis & { return directed[all.place(i).view][all.place(i).observation]; };
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const auto misfit = known(i).sigmaRad <= unknownAxisSigmaRad ? all.misfit(i) : std::nullopt;
-        const auto axis = misfit ? axisNear(*misfit, known(i).angleRad) : std::nullopt;
-        if (axis && axis->sigmaRad < unknownAxisSigmaRad)
+    std::vector<double> headings(all.size());
+    double heading = 0;
+    const auto follow = [&](std::size_t i) {
+        if (const auto axis = all.bySupport(i, difference, heading)) {
             all.measure(i, *axis);
+            heading = axis->angleRad;
+        }
+        headings[i] = heading;
+    };
+    const auto firstOf = [&](const BodyPose &pose) {
+        const auto nodes = all.nodes();
+        return std::size_t(std::ranges::lower_bound(nodes, toSeconds(pose.time), {}, &TrackNode::timeS) - nodes.begin());
+    };
+    for (std::size_t p = 0; p < poses.size(); ++p) {
+        heading = poses[p].headingRad;
+        const std::size_t end = p + 1 < poses.size() ? firstOf(poses[p + 1]) : all.size();
+        for (std::size_t i = firstOf(poses[p]); i < end; ++i)
+            follow(i);
     }
+    heading = poses.front().headingRad;
+    for (std::size_t i = firstOf(poses.front()); i-- > 0;)
+        follow(i);
+    std::vector<std::vector<BodyAxis>> axes;
+    for (const ViewTrack &view : views)
+        axes.emplace_back(view.observations.size());
     const std::vector<BodyAxis> smoothed = smooth(all);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (known(i).sigmaRad > unknownAxisSigmaRad || smoothed[i].sigmaRad > unknownAxisSigmaRad)
-            continue;
-        const double before = known(i).angleRad;
-        known(i) = {before + std::remainder(smoothed[i].angleRad - before, std::numbers::pi), smoothed[i].sigmaRad};
-    }
-    return directed;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        axes[all.place(i).view][all.place(i).observation] = {headings[i] + std::remainder(smoothed[i].angleRad - headings[i], std::numbers::pi), smoothed[i].sigmaRad};
+    return axes;
 }
 
 } // namespace odo

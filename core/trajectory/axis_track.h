@@ -3,6 +3,7 @@
 
 #include "core/trajectory/analyser.h"
 #include "core/trajectory/body_outline.h"
+#include "core/trajectory/support_placing.h"
 
 #include <vector>
 
@@ -15,8 +16,17 @@ namespace odo {
 /// not registered give nothing.
 std::vector<std::vector<BodyAxis>> trackAxis(const std::vector<ViewTrack> &views, const SolidShape &shape);
 
-/// The same for a solid whose two ends differ, near the directions that are known (directedAxes), which tell front from back.
-std::vector<std::vector<BodyAxis>> refineDirections(const std::vector<ViewTrack> &views, const SolidShape &shape,
-                                                    std::vector<std::vector<BodyAxis>> directed);
+/// Where a body stood at a time, and its direction.
+struct BodyPose
+{
+    Nanoseconds time{0}; ///< of the first view's clock
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();
+    double headingRad = 0;
+};
+
+/// The same of a solid whose two ends differ, as the supports of its outlines tell it (placeBySupport): followed from observation to observation, from the poses that are
+/// known, of which there is at least one, in order. Directions modulo 2π.
+std::vector<std::vector<BodyAxis>> trackDirection(const std::vector<ViewTrack> &views, const SolidShape &shape, const OutlineDifference &difference,
+                                                  const std::vector<BodyPose> &poses);
 
 } // namespace odo

@@ -101,4 +101,39 @@ std::vector<std::vector<BodyAxis>> directionsOfMotion(const std::vector<ViewTrac
     return directions;
 }
 
+std::optional<BodyMotion> motionAt(const std::vector<std::vector<Sighting>> &sightings, Nanoseconds time)
+{
+    constexpr double windowS = 0.25, slowestMps = 0.15;
+    constexpr int fewest = 6;
+    Eigen::Vector2d velocity = Eigen::Vector2d::Zero(), acceleration = Eigen::Vector2d::Zero();
+    double views = 0;
+    for (const std::vector<Sighting> &seen : sightings) {
+        Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+        Eigen::Matrix<double, 3, 2> right = Eigen::Matrix<double, 3, 2>::Zero();
+        int count = 0;
+        const auto from = std::ranges::lower_bound(seen, toSeconds(time) - windowS, {}, [](const Sighting &one) { return toSeconds(one.time); });
+        for (auto one = from; one != seen.end() && toSeconds(one->time - time) <= windowS; ++one) {
+            if (!one->seen)
+                continue;
+            const double t = toSeconds(one->time - time);
+            const Eigen::Vector3d row(1, t, t * t / 2);
+            normal += row * row.transpose();
+            right += row * one->place.pointInWorld.transpose();
+            ++count;
+        }
+        if (count < fewest)
+            continue;
+        const Eigen::Matrix<double, 3, 2> solution = normal.ldlt().solve(right);
+        velocity += solution.row(1).transpose();
+        acceleration += solution.row(2).transpose();
+        views += 1;
+    }
+    velocity /= std::max(1.0, views);
+    acceleration /= std::max(1.0, views);
+    const double speed = velocity.norm();
+    if (views == 0 || speed < slowestMps)
+        return std::nullopt;
+    return BodyMotion{std::atan2(velocity.y(), velocity.x()), (velocity.x() * acceleration.y() - velocity.y() * acceleration.x()) / (speed * speed * speed)};
+}
+
 } // namespace odo

@@ -4,6 +4,7 @@
 #include "core/trajectory/body_outline.h"
 #include "core/trajectory/floor_positions.h"
 
+#include <optional>
 #include <vector>
 
 namespace odo {
@@ -19,5 +20,15 @@ std::vector<std::vector<BodyAxis>> directedAxes(const std::vector<ViewTrack> &vi
 /// axis well.
 std::vector<std::vector<BodyAxis>> directionsOfMotion(const std::vector<ViewTrack> &views, const std::vector<std::vector<Sighting>> &sightings,
                                                       const std::vector<std::vector<BodyAxis>> &axes);
+
+/// How a body moves at a time.
+struct BodyMotion
+{
+    double directionRad = 0; ///< of the velocity
+    double curvature = 0;    ///< of the path, 1/m; positive to the left
+};
+
+/// From the places within a quarter of a second around, of all views, each by a parabola over time. nullopt: too few, or it hardly moves. Pure.
+std::optional<BodyMotion> motionAt(const std::vector<std::vector<Sighting>> &sightings, Nanoseconds time);
 
 } // namespace odo

@@ -27,12 +27,6 @@ RegionMoments outlineMoments(const Observation &observation);
 /// coding): the error that the area and the second moments of all frames share. Pixels.
 constexpr double outlineDoubtPx = 0.15;
 
-/// By how much all outlines of a run are drawn too wide, and too far down, as shadows at the foot do.
-struct OutlineBias
-{
-    double widerPx = 0, lowerPx = 0;
-};
-
 /// σ of an outline's area as a share of itself, and of its second moments in px², that follow from the doubt.
 struct OutlineSigma
 {

@@ -93,7 +93,7 @@ struct BodyPixel
 };
 
 std::optional<BodyPixel> bodyPixel(const FloorView &view, const SolidShape &shape,
-                                   const Observation &observation, const BodyAxis &axis, const OutlineBias &bias)
+                                   const Observation &observation, const BodyAxis &axis, const OutlineDifference &outlines)
 {
     const Eigen::Vector2d &centroid = observation.ellipse.centrePx;
     if (shape.form == SolidShape::Form::Cylinder || axis.sigmaRad <= unknownAxisSigmaRad) {
@@ -103,8 +103,8 @@ std::optional<BodyPixel> bodyPixel(const FloorView &view, const SolidShape &shap
             return std::nullopt;
         const Eigen::Vector2d shift = *turned - *here;
         const auto start = view.floorFromPixel(*here, middleHeightM(shape));
-        const auto placed = start ? placeBySupport(view, shape, observation, bias, {*start, axis}) : std::nullopt;
-        const auto middle = placed ? view.pixelFromWorld({placed->x(), placed->y(), middleHeightM(shape)}) : std::nullopt;
+        const auto placed = start ? placeBySupport(view, shape, observation, outlines, {*start, axis}) : std::nullopt;
+        const auto middle = placed ? view.pixelFromWorld({placed->place.x(), placed->place.y(), middleHeightM(shape)}) : std::nullopt;
         return BodyPixel{middle.value_or(*here), shift * shift.transpose()};
     }
     BodyPixel mean;
@@ -152,7 +152,7 @@ BodySightings placeInView(const ViewTrack &view, const SolidShape &shape, const 
         const Observation &observation = view.observations[i];
         Sighting sighting = sightingOf(view, observation, repeated[i]);
         const auto pixel = canBePlaced(observation, sighting)
-                               ? bodyPixel(*view.floorView, shape, observation, axes[i], doubt.bias)
+                               ? bodyPixel(*view.floorView, shape, observation, axes[i], doubt.outlines)
                                : std::nullopt;
         if (pixel)
             layAt(sighting, *view.floorView, pixel->pixel,

@@ -4,6 +4,7 @@
 #include "core/geometry/floor_view.h"
 #include "core/trajectory/analyser.h"
 #include "core/trajectory/body_outline.h"
+#include "core/trajectory/support_placing.h"
 
 #include <vector>
 
@@ -30,7 +31,7 @@ std::vector<Sighting> placeObservations(const ViewTrack &view, double planeM);
 /// What is known of a solid's outlines, and what is not known of it.
 struct SolidDoubt
 {
-    OutlineBias bias = {};                ///< of outlines that are measured by their support
+    OutlineDifference outlines = {};      ///< that are measured by their support
     double unexplainedPx = 0;             ///< what it leaves of the outlines' centroids over parts of a run
     double forwardM = 0, leftM = 0;       ///< where the place is in it
 };

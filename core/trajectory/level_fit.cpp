@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace odo {
 
@@ -19,16 +20,18 @@ constexpr std::size_t mostLevelTimes = 40, leastLevelTimes = 12;
 constexpr double timesThatDiffer = 8; // as independentTimes of a box: more ways are seen, for more of the form is asked for
 constexpr double likelyScale = 0.5;       // σ of a level's size against the box's, of the logarithm
 constexpr double likelyShift = 0.15;      // σ of a level's middle along the heading against the box's, in lengths of the box
-constexpr double likelyLean = 0.02;       // and across it: most robots are as wide to the left as to the right
-constexpr double likelyDrawnPx = 0.3;
+constexpr double likelyLean = 0.005;      // and across it: most robots are as wide to the left as to the right
+constexpr double likelyDrawnPx = 0.1;
 constexpr double toldSigmaM = 0.001;
+constexpr double leastMisfit = 0.2; // no outline is better than a tenth of a pixel
+constexpr double drivenSigmaRad = 0.035, likelyAxleM = 0.05; // of a heading against the motion; of how far behind the middle the wheels are that do not turn
 
 using LevelPose = std::array<double, 3>; // x, y, heading
 
 /// Of each level the middle (forward, left) and the logarithms of half its length and width; then the logarithm of the top, the lower levels' heights as
-/// shares of those above them, and the roundness; and by how many pixels all outlines are drawn too wide, and too far down, as shadows at the foot do.
+/// shares of those above them, and the roundness; and by how many pixels all outlines are drawn too wide.
 constexpr std::size_t perLevel = 4, levelCount = 3;
-enum : std::size_t { TopLog = perLevel * levelCount, MiddleShare, LowerShare, Roundness, DrawnWider, DrawnLower, FormSize };
+enum : std::size_t { TopLog = perLevel * levelCount, MiddleShare, LowerShare, Roundness, DrawnWider, FormSize };
 using LevelForm = std::array<double, FormSize>;
 
 /// The levels of a form, of which the place is the middle of all.
@@ -69,6 +72,11 @@ SolidShape shapeOfForm(const double *form)
     return shape;
 }
 
+double nothingMore(std::size_t, const Eigen::Vector3d &)
+{
+    return 0;
+}
+
 /// How far the outline of a solid reaches in each direction against how far it was seen to.
 struct LevelResidual
 {
@@ -78,9 +86,9 @@ struct LevelResidual
     bool operator()(const T *pose, const T *form, T *residual) const
     {
         std::array<T, supportDirections> reach;
-        if (!reachOfLevels(*outline.view, levelsOf(form), form[Roundness], pose, reach))
+        if (!reachOfLevels(*outline.view, levelsOf(form), form[Roundness], pose, reach, nothingMore))
             return false;
-        reachDifferences(outline.supportPx, outline.moments.centrePx, form[DrawnWider], form[DrawnLower], reach, residual);
+        reachDifferences(outline.supportPx, outline.moments.centrePx, form[DrawnWider], reach, residual);
         return true;
     }
 };
@@ -103,8 +111,7 @@ struct LevelPrior
             residual[perLevel * level] = form[perLevel * level] / (likelyShift * box.lengthM);
             residual[perLevel * level + 1] = form[perLevel * level + 1] / (likelyLean * box.lengthM);
         }
-        for (const std::size_t drawn : {DrawnWider, DrawnLower})
-            residual[drawn] = form[drawn] / likelyDrawnPx;
+        residual[DrawnWider] = form[DrawnWider] / likelyDrawnPx;
         const auto levels = levelsOf(form);
         const auto off = [&levels](const std::optional<double> &known, T LevelOf<T>::*side) {
             return known ? T((2.0 * max(levels[0].*side, max(levels[1].*side, levels[2].*side)) - *known) / toldSigmaM) : T(0);
@@ -112,6 +119,31 @@ struct LevelPrior
         residual[FormSize] = off(told.lengthM, &LevelOf<T>::front);
         residual[FormSize + 1] = off(told.widthM, &LevelOf<T>::left);
         residual[FormSize + 2] = told.heightM ? T((levels.back().height - *told.heightM) / toldSigmaM) : T(0);
+        return true;
+    }
+};
+
+/// Most robots move along their heading, but for the point between their wheels: what lies before it swings out in a bend.
+struct DrivenPrior
+{
+    BodyMotion motion;
+
+    template <class T>
+    bool operator()(const T *pose, const T *axleM, T *residual) const
+    {
+        using std::sin;
+        const T away = pose[2] - motion.directionRad + *axleM * motion.curvature; // modulo a half turn
+        *residual = limitedDifference(T(sin(2.0 * away) / (2 * drivenSigmaRad)));
+        return true;
+    }
+};
+
+struct AxlePrior
+{
+    template <class T>
+    bool operator()(const T *axleM, T *residual) const
+    {
+        *residual = *axleM / likelyAxleM;
         return true;
     }
 };
@@ -162,7 +194,7 @@ class LevelProblem
 {
 public:
     LevelProblem(const std::vector<CommonOutlines> &times, const std::vector<ViewTrack> &views, const std::vector<std::vector<BodyAxis>> &axes,
-                 const SolidShape &box);
+                 const std::vector<std::vector<Sighting>> &sightings, const SolidShape &box);
     bool isEnough() const { return m_times.size() >= leastLevelTimes; }
     bool solve(const SolidShape &box, const RobotShape &told, const LevelStart &start);
     std::optional<LevelFit> result();
@@ -170,19 +202,30 @@ public:
 private:
     double share() const { return std::min(1.0, timesThatDiffer / double(m_times.size())); }
     void addResiduals(const LevelPrior &prior);
+    std::vector<double> residualsLeft();
+    double misfit();
     void findMisfit(LevelFit &fit);
+    static ceres::Problem::Options problemOptions()
+    {
+        ceres::Problem::Options options;
+        options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+        return options;
+    }
     bool findDoubt(LevelFit &fit);
-    void findCommonDoubt(LevelFit &fit);
 
     std::vector<CommonOutlines> m_times;
     std::vector<LevelPose> m_poses; ///< at the times
+    std::vector<std::optional<BodyMotion>> m_motions;
+    double m_axleM = 0;
     LevelForm m_form{};
-    ceres::Problem m_problem;
+    ceres::LossFunctionWrapper m_weight{nullptr, ceres::DO_NOT_TAKE_OWNERSHIP}; ///< of the outlines
+    ceres::LossFunctionWrapper m_drivenWeight{nullptr, ceres::DO_NOT_TAKE_OWNERSHIP};
+    ceres::Problem m_problem{problemOptions()};
     std::vector<ceres::ResidualBlockId> m_blocks; ///< of the outlines
 };
 
 LevelProblem::LevelProblem(const std::vector<CommonOutlines> &times, const std::vector<ViewTrack> &views,
-                           const std::vector<std::vector<BodyAxis>> &axes, const SolidShape &box)
+                           const std::vector<std::vector<BodyAxis>> &axes, const std::vector<std::vector<Sighting>> &sightings, const SolidShape &box)
 {
     for (CommonOutlines common : times) {
         std::erase_if(common.outlines, [](const CommonOutlines::Outline &outline) { return outline.supportPx.size() != supportDirections; });
@@ -192,6 +235,7 @@ LevelProblem::LevelProblem(const std::vector<CommonOutlines> &times, const std::
         if (!direction || !place)
             continue;
         m_poses.push_back({place->x(), place->y(), *direction});
+        m_motions.push_back(motionAt(sightings, common.time));
         m_times.push_back(std::move(common));
     }
 }
@@ -201,10 +245,14 @@ void LevelProblem::addResiduals(const LevelPrior &prior)
     for (std::size_t t = 0; t < m_times.size(); ++t) {
         for (const CommonOutlines::Outline &outline : m_times[t].outlines) {
             auto *cost = new ceres::AutoDiffCostFunction<LevelResidual, supportDirections, 3, FormSize>(new LevelResidual{outline});
-            auto *loss = new ceres::ScaledLoss(nullptr, share(), ceres::TAKE_OWNERSHIP);
-            m_blocks.push_back(m_problem.AddResidualBlock(cost, loss, m_poses[t].data(), m_form.data()));
+            m_blocks.push_back(m_problem.AddResidualBlock(cost, &m_weight, m_poses[t].data(), m_form.data()));
+        }
+        if (m_motions[t]) {
+            auto *cost = new ceres::AutoDiffCostFunction<DrivenPrior, 1, 3, 1>(new DrivenPrior{*m_motions[t]});
+            m_problem.AddResidualBlock(cost, &m_drivenWeight, m_poses[t].data(), &m_axleM);
         }
     }
+    m_problem.AddResidualBlock(new ceres::AutoDiffCostFunction<AxlePrior, 1, 1>(new AxlePrior), nullptr, &m_axleM);
     auto *cost = new ceres::AutoDiffCostFunction<LevelPrior, LevelPrior::size, FormSize>(new LevelPrior(prior));
     m_problem.AddResidualBlock(cost, nullptr, m_form.data());
     for (const int bounded : {int(MiddleShare), int(LowerShare), int(Roundness)}) {
@@ -225,20 +273,39 @@ bool LevelProblem::solve(const SolidShape &box, const RobotShape &told, const Le
     options.function_tolerance = 1e-5;
     options.logging_type = ceres::SILENT;
     ceres::Solver::Summary summary;
-    ceres::Solve(options, &m_problem, &summary);
-    return summary.IsSolutionUsable();
+    m_drivenWeight.Reset(new ceres::ScaledLoss(nullptr, share(), ceres::TAKE_OWNERSHIP), ceres::TAKE_OWNERSHIP);
+    for (const bool again : {false, true}) {
+        // What is left after the first time tells how exact the outlines are.
+        const double sigma = again ? std::clamp(misfit(), leastMisfit, 1.0) : 1;
+        m_weight.Reset(new ceres::ScaledLoss(nullptr, share() / (sigma * sigma), ceres::TAKE_OWNERSHIP), ceres::TAKE_OWNERSHIP);
+        ceres::Solve(options, &m_problem, &summary);
+        if (!summary.IsSolutionUsable())
+            return false;
+    }
+    return true;
 }
 
-void LevelProblem::findMisfit(LevelFit &fit)
+std::vector<double> LevelProblem::residualsLeft()
 {
-    double cost = 0;
     std::vector<double> residuals;
     ceres::Problem::EvaluateOptions evaluated;
     evaluated.residual_blocks = m_blocks;
     evaluated.apply_loss_function = false;
-    m_problem.Evaluate(evaluated, &cost, &residuals, nullptr, nullptr);
+    m_problem.Evaluate(evaluated, nullptr, &residuals, nullptr, nullptr);
+    return residuals;
+}
+
+double LevelProblem::misfit()
+{
+    const std::vector<double> residuals = residualsLeft();
     const double freedom = double(residuals.size()) - 3.0 * double(m_times.size()) - double(FormSize);
-    fit.misfit = std::sqrt(2 * cost / std::max(1.0, freedom));
+    return std::sqrt(std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.0) / std::max(1.0, freedom));
+}
+
+void LevelProblem::findMisfit(LevelFit &fit)
+{
+    fit.misfit = misfit();
+    const std::vector<double> residuals = residualsLeft();
     double squares = 0;
     for (std::size_t i = 0; i < residuals.size(); i += supportDirections) {
         Eigen::Vector2d shift = Eigen::Vector2d::Zero();
@@ -258,44 +325,14 @@ bool LevelProblem::findDoubt(LevelFit &fit)
         return false;
     const double sigmaTopLog = std::sqrt(std::max(0.0, block[TopLog * FormSize + TopLog]));
     fit.sigmaTopM = fit.shape.topM * sigmaTopLog * std::max(1.0, fit.misfit);
-    findCommonDoubt(fit);
     return true;
-}
-
-/// What all places share of their doubt, along and across the heading: the mean covariance of the places at different times, each along its own heading.
-void LevelProblem::findCommonDoubt(LevelFit &fit)
-{
-    constexpr std::size_t asked = 6;
-    std::vector<const double *> some;
-    for (std::size_t i = 0; i < asked; ++i)
-        some.push_back(m_poses[i * (m_poses.size() - 1) / (asked - 1)].data());
-    std::vector<std::pair<const double *, const double *>> pairs;
-    for (std::size_t i = 0; i < some.size(); ++i)
-        for (std::size_t j = i + 1; j < some.size(); ++j)
-            pairs.emplace_back(some[i], some[j]);
-    ceres::Covariance covariance({});
-    if (!covariance.Compute(pairs, &m_problem))
-        return;
-    double forward = 0, left = 0;
-    for (const auto &[a, b] : pairs) {
-        Eigen::Matrix<double, 3, 3, Eigen::RowMajor> block;
-        if (!covariance.GetCovarianceBlock(a, b, block.data()))
-            return;
-        const Eigen::Vector2d alongA(std::cos(a[2]), std::sin(a[2])), alongB(std::cos(b[2]), std::sin(b[2]));
-        const Eigen::Matrix2d places = block.topLeftCorner<2, 2>();
-        forward += alongA.dot(places * alongB);
-        left += Eigen::Vector2d(-alongA.y(), alongA.x()).dot(places * Eigen::Vector2d(-alongB.y(), alongB.x()));
-    }
-    const double scale = std::max(1.0, fit.misfit);
-    fit.sigmaForwardM = scale * std::sqrt(std::max(0.0, forward / double(pairs.size())));
-    fit.sigmaLeftM = scale * std::sqrt(std::max(0.0, left / double(pairs.size())));
 }
 
 std::optional<LevelFit> LevelProblem::result()
 {
     LevelFit fit;
     fit.shape = shapeOfForm(m_form.data());
-    fit.bias = {m_form[DrawnWider], m_form[DrawnLower]};
+    fit.widerPx = m_form[DrawnWider];
     for (std::size_t t = 0; t < m_times.size(); ++t)
         fit.poses.push_back({m_times[t].time, {m_poses[t][0], m_poses[t][1]}, m_poses[t][2]});
     findMisfit(fit);
@@ -309,10 +346,10 @@ std::vector<CommonOutlines> levelTimes(const std::vector<ViewTrack> &views)
     return commonOutlines(views, mostLevelTimes);
 }
 
-std::optional<LevelFit> fitLevels(const std::vector<CommonOutlines> &times, const std::vector<ViewTrack> &views, const std::vector<std::vector<BodyAxis>> &axes, const SolidShape &box,
-                                  const RobotShape &told, const LevelStart &start)
+std::optional<LevelFit> fitLevels(const std::vector<CommonOutlines> &times, const std::vector<ViewTrack> &views, const std::vector<std::vector<BodyAxis>> &axes,
+                                  const std::vector<std::vector<Sighting>> &sightings, const SolidShape &box, const RobotShape &told, const LevelStart &start)
 {
-    LevelProblem problem(times, views, axes, box);
+    LevelProblem problem(times, views, axes, sightings, box);
     return problem.isEnough() && problem.solve(box, told, start) ? problem.result() : std::nullopt;
 }
 

@@ -3,6 +3,8 @@
 
 #include "core/geometry/silhouette.h"
 #include "core/trajectory/analyser.h"
+#include "core/trajectory/axis_track.h"
+#include "core/trajectory/body_direction.h"
 #include "core/trajectory/body_outline.h"
 #include "core/trajectory/common_outlines.h"
 
@@ -10,14 +12,6 @@
 #include <vector>
 
 namespace odo {
-
-/// Where a body stood at a time, and its direction.
-struct BodyPose
-{
-    Nanoseconds time{0}; ///< of the first view's clock
-    Eigen::Vector2d place = Eigen::Vector2d::Zero();
-    double headingRad = 0;
-};
 
 /// A guess that a fit begins with, for it ends in the solid that is next to it.
 struct LevelStart
@@ -29,10 +23,9 @@ struct LevelStart
 struct LevelFit
 {
     SolidShape shape;       ///< Form::Levels
-    OutlineBias bias;
+    double widerPx = 0;     ///< by how much all outlines are drawn too wide
     double misfit = 0;      ///< RMS of what it leaves of the supports, over their σ of half a pixel
     double sigmaTopM = 0;
-    double sigmaForwardM = 0, sigmaLeftM = 0; ///< of the place along and across the heading, as far as all times share it
     double lastingPx = 0;   ///< RMS of what the solid leaves of the outlines' centroids
     std::vector<BodyPose> poses; ///< at the times it was fitted to, in order
 };
@@ -45,7 +38,7 @@ std::vector<CommonOutlines> levelTimes(const std::vector<ViewTrack> &views);
 /// the silhouette of the body's convex hull, so only outlines that are hulls tell the body of a robot with wheels and gaps. What was told of its height and
 /// size is kept. axes: directed (directedAxes). nullopt: too few outlines, or nothing better was found. Pure.
 /// times: levelTimes(views), which several fits share.
-std::optional<LevelFit> fitLevels(const std::vector<CommonOutlines> &times, const std::vector<ViewTrack> &views, const std::vector<std::vector<BodyAxis>> &axes, const SolidShape &box,
-                                  const RobotShape &told, const LevelStart &start);
+std::optional<LevelFit> fitLevels(const std::vector<CommonOutlines> &times, const std::vector<ViewTrack> &views, const std::vector<std::vector<BodyAxis>> &axes,
+                                  const std::vector<std::vector<Sighting>> &sightings, const SolidShape &box, const RobotShape &told, const LevelStart &start);
 
 } // namespace odo

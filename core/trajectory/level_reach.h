@@ -25,18 +25,32 @@ struct LevelOf
 template <class T>
 using LevelsOf = std::array<LevelOf<T>, 3>;
 
-/// How far the picture of a solid of levels reaches in each direction, max of n·pixel over its outline (its support function about the picture's origin): of each level
-/// the middles of its round corners, and about each the picture of a circle on the floor, which is an ellipse but for what perspective adds within it. pose: x, y,
-/// heading. false: a corner lies behind the camera, or where the lens model folds. Derivatives leave out how the scale of the picture changes within the circle.
+/// The levels of a solid of levels.
 template <class T>
-bool reachOfLevels(const FloorView &view, const LevelsOf<T> &levels, const T &roundShare, const T *pose, std::array<T, supportDirections> &reach)
+LevelsOf<T> levelsOfShape(const SolidShape &shape)
+{
+    LevelsOf<T> levels;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        const SolidLevel &level = shape.levels[i];
+        levels[i] = {T(level.heightM), T(level.frontM), T(level.backM), T(level.leftM), T(level.rightM)};
+    }
+    return levels;
+}
+
+/// How far the picture of a solid of levels reaches in each direction, max of n·pixel over its outline (its support function about the picture's origin): of each level
+/// the middles of its round corners, and about each a circle on the level's plane. pose: x, y, heading.
+/// more(k, slope): what the body reaches farther than the solid in direction k, px, where slope is the derivative of that reach by a point of the body, px/m in the
+/// world's frame, along which the plane that touches it faces. false: a corner lies behind the camera, or where the lens model folds.
+template <class T, class More>
+bool reachOfLevels(const FloorView &view, const LevelsOf<T> &levels, const T &roundShare, const T *pose, std::array<T, supportDirections> &reach, const More &more)
 {
     using std::sin, std::cos, std::min;
+    constexpr double smallCircleM = 0.02; // whose picture is an ellipse about that of its middle to some hundredths of a pixel
     struct Corner
     {
-        T x, y, radius;
-        Eigen::Vector2d pixel;
-        Eigen::Matrix2d pixelByFloor;
+        T x{}, y{}, z{}, radius{};
+        Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+        Eigen::Matrix<double, 2, 3> slope = Eigen::Matrix<double, 2, 3>::Zero(); ///< of the pixel by the point
     };
     std::array<Corner, 12> corners;
     auto next = corners.begin();
@@ -45,32 +59,46 @@ bool reachOfLevels(const FloorView &view, const LevelsOf<T> &levels, const T &ro
         const T radius = roundShare * min(T(level.front + level.back), T(level.left + level.right)) / 2.0;
         for (const T &along : {T(level.front - radius), T(radius - level.back)}) {
             for (const T &across : {T(level.left - radius), T(radius - level.right)}) {
-                const T x = pose[0] + along * forwardX - across * forwardY, y = pose[1] + along * forwardY + across * forwardX;
-                const Eigen::Vector3d point(valueOf(x), valueOf(y), valueOf(level.height));
-                Eigen::Matrix<double, 2, 3> slope;
-                const auto pixel = view.pixelFromWorld(point, slope);
+                Corner &corner = *next++;
+                corner.x = pose[0] + along * forwardX - across * forwardY;
+                corner.y = pose[1] + along * forwardY + across * forwardX;
+                corner.z = level.height;
+                corner.radius = radius;
+                const auto pixel = view.pixelFromWorld({valueOf(corner.x), valueOf(corner.y), valueOf(corner.z)}, corner.slope);
                 if (!pixel)
                     return false;
-                const auto at = [&](int row) {
-                    return (*pixel)(row) + slope(row, 0) * (x - point.x()) + slope(row, 1) * (y - point.y()) + slope(row, 2) * (level.height - point.z());
-                };
-                *next++ = {at(0), at(1), radius, *pixel, slope.template leftCols<2>()};
+                corner.pixel = *pixel;
             }
         }
     }
     for (std::size_t k = 0; k < supportDirections; ++k) {
         const Eigen::Vector2d direction = supportDirection(k);
         const Corner *farthest = nullptr;
-        double most = -HUGE_VAL, circle = 0;
+        double most = -HUGE_VAL;
         for (const Corner &corner : corners) {
-            const double ofCircle = (corner.pixelByFloor.transpose() * direction).norm(), here = direction.dot(corner.pixel) + valueOf(corner.radius) * ofCircle;
-            if (here > most) {
+            const double ofCircle = (corner.slope.template leftCols<2>().transpose() * direction).norm();
+            if (const double here = direction.dot(corner.pixel) + valueOf(corner.radius) * ofCircle; here > most) {
                 farthest = &corner;
                 most = here;
-                circle = ofCircle;
             }
         }
-        reach[k] = farthest->x * direction.x() + farthest->y * direction.y() + farthest->radius * circle;
+        // The point of the circle that reaches farthest; where it is on the circle does not change the reach, to first order.
+        Eigen::Vector3d slope = farthest->slope.transpose() * direction;
+        const Eigen::Vector2d outward = slope.head<2>().normalized();
+        const T x = farthest->x + farthest->radius * outward.x(), y = farthest->y + farthest->radius * outward.y();
+        const Eigen::Vector3d middle(valueOf(farthest->x), valueOf(farthest->y), valueOf(farthest->z));
+        Eigen::Vector3d about = middle;
+        Eigen::Vector2d pixel = farthest->pixel;
+        if (valueOf(farthest->radius) > smallCircleM) {
+            about = {valueOf(x), valueOf(y), middle.z()};
+            Eigen::Matrix<double, 2, 3> there;
+            const auto exact = view.pixelFromWorld(about, there);
+            if (!exact)
+                return false;
+            pixel = *exact;
+            slope = there.transpose() * direction;
+        }
+        reach[k] = direction.dot(pixel) + slope.x() * (x - about.x()) + slope.y() * (y - about.y()) + slope.z() * (farthest->z - about.z()) + more(k, slope);
     }
     return true;
 }
@@ -90,16 +118,14 @@ T limitedDifference(const T &sigmas)
 /// The σ of how far an outline was seen to reach in a direction.
 constexpr double supportSigmaPx = 0.5;
 
-/// How far an outline was seen to reach in each direction against how far a solid's reaches, over the σ and limited. support: about the centre. widerPx,
-/// lowerPx: by how much all outlines are drawn too wide and too far down.
+/// How far an outline was seen to reach in each direction against how far a solid's reaches, over the σ and limited. support: about the centre. widerPx: by how much
+/// all outlines are drawn too wide.
 template <class T>
-void reachDifferences(const std::vector<float> &support, const Eigen::Vector2d &centrePx, const T &widerPx, const T &lowerPx,
-                      const std::array<T, supportDirections> &reach, T *differences)
+void reachDifferences(const std::vector<float> &support, const Eigen::Vector2d &centrePx, const T &widerPx, const std::array<T, supportDirections> &reach, T *differences)
 {
     for (std::size_t k = 0; k < supportDirections; ++k) {
-        const Eigen::Vector2d direction = supportDirection(k);
-        const double seen = double(support[k]) + direction.dot(centrePx);
-        differences[k] = limitedDifference(T((seen - widerPx - lowerPx * direction.y() - reach[k]) / supportSigmaPx));
+        const double seen = double(support[k]) + supportDirection(k).dot(centrePx);
+        differences[k] = limitedDifference(T((seen - widerPx - reach[k]) / supportSigmaPx));
     }
 }
 

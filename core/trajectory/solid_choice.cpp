@@ -5,6 +5,7 @@
 #include "core/trajectory/body_direction.h"
 #include "core/trajectory/coloured_part.h"
 #include "core/trajectory/level_fit.h"
+#include "core/trajectory/reach_learning.h"
 #include "core/trajectory/shape_estimation.h"
 
 #include <algorithm>
@@ -22,58 +23,6 @@ constexpr double taper = 0.1, topShift = 0.15; // of guesses whose upper part si
 constexpr double placeAlong = 0.008, placeAcross = 0.005;
 
 using Axes = std::vector<std::vector<BodyAxis>>;
-
-struct StartedFit
-{
-    LevelFit fit;
-    const Axes *directions = nullptr; ///< from which it began
-};
-
-/// By how much the other fit puts the robot elsewhere throughout, along and across its heading.
-Eigen::Vector2d meanShift(const LevelFit &fit, const LevelFit &other)
-{
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    double count = 0;
-    for (const BodyPose &pose : fit.poses) {
-        const auto same = std::ranges::lower_bound(other.poses, pose.time, {}, &BodyPose::time);
-        if (same == other.poses.end() || same->time != pose.time)
-            continue;
-        const Eigen::Vector2d forward(std::cos(pose.headingRad), std::sin(pose.headingRad)), shift = same->place - pose.place;
-        sum += Eigen::Vector2d(shift.dot(forward), shift.dot(Eigen::Vector2d(-forward.y(), forward.x())));
-        count += 1;
-    }
-    return count > 0 ? Eigen::Vector2d(sum / count) : Eigen::Vector2d(Eigen::Vector2d::Zero());
-}
-
-/// What the fits say together: each counts by how well it explains the outlines. Outlines have errors that last over a run, so that they tell the fits
-/// apart no better than so many independent figures would.
-struct Consensus
-{
-    Eigen::Vector2d shift = Eigen::Vector2d::Zero(); ///< of the place from that of the best fit, along and across its heading
-    SolidDoubt doubt;
-};
-
-Consensus consensusOf(const LevelFit &best, const std::vector<StartedFit> &all)
-{
-    constexpr double independentFigures = 20;
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero(), squares = Eigen::Vector2d::Zero();
-    double weights = 0;
-    for (const StartedFit &one : all) {
-        const double ratio = one.fit.misfit / best.misfit;
-        const double weight = std::exp(-0.5 * independentFigures * (ratio * ratio - 1));
-        const Eigen::Vector2d shift = meanShift(best, one.fit);
-        sum += weight * shift;
-        squares += weight * shift.cwiseAbs2();
-        weights += weight;
-    }
-    Consensus consensus;
-    consensus.shift = sum / weights;
-    const Eigen::Vector2d variance = squares / weights - consensus.shift.cwiseAbs2();
-    const auto sigma = [](double ofFit, double amongFits, double leastM) { return std::sqrt(ofFit * ofFit + std::max(0.0, amongFits) + leastM * leastM); };
-    consensus.doubt = {best.bias, best.lastingPx, sigma(best.sigmaForwardM, variance.x(), placeAlong * best.shape.lengthM),
-                       sigma(best.sigmaLeftM, variance.y(), placeAcross * best.shape.lengthM)};
-    return consensus;
-}
 
 /// A box where each view saw it, with its axes.
 struct PlacedSolid
@@ -112,17 +61,19 @@ std::optional<FoundSolid> findSolidOfLevels(const std::vector<ViewTrack> &views,
     const Axes directed = directedAxes(views, box.solid.seen, box.axes), moved = directionsOfMotion(views, box.solid.seen, box.axes);
     const std::pair<const Axes *, LevelStart> starts[] = {{&directed, {taper, 0}}, {&moved, {taper, topShift}}, {&moved, {taper, -topShift}}};
     const std::vector<CommonOutlines> times = levelTimes(views);
-    std::vector<StartedFit> fits;
+    std::optional<LevelFit> best;
     for (const auto &[directions, start] : starts) {
-        if (auto fit = fitLevels(times, views, *directions, box.solid.shape, told, start))
-            fits.push_back({std::move(*fit), directions});
+        auto fit = fitLevels(times, views, *directions, box.solid.seen, box.solid.shape, told, start);
+        if (fit && (!best || fit->misfit < best->misfit))
+            best = std::move(fit);
     }
-    const auto best = std::ranges::min_element(fits, {}, [](const StartedFit &one) { return one.fit.misfit; });
-    if (best == fits.end() || best->fit.misfit > worstLevelMisfit)
+    const auto learned = best && best->misfit < worstLevelMisfit ? learnReach(times, *best, told) : std::nullopt;
+    if (!learned)
         return std::nullopt;
-    const Consensus consensus = consensusOf(best->fit, fits);
-    FoundSolid solid{movedPlace(best->fit.shape, consensus.shift + told.referenceM), best->fit.sigmaTopM * middleHeightM(best->fit.shape) / best->fit.shape.topM, {}};
-    solid.seen = placeBody(views, solid.shape, refineDirections(views, solid.shape, *best->directions), consensus.doubt);
+    FoundSolid solid{movedPlace(best->shape, learned->middleM + told.referenceM), best->sigmaTopM * middleHeightM(best->shape) / best->shape.topM, {}};
+    const SolidDoubt doubt{learned->outlines, best->lastingPx, std::hypot(learned->sigmaForwardM, placeAlong * best->shape.lengthM),
+                           std::hypot(learned->sigmaLeftM, placeAcross * best->shape.lengthM)};
+    solid.seen = placeBody(views, solid.shape, trackDirection(views, solid.shape, learned->outlines, best->poses), doubt);
     return solid;
 }
 

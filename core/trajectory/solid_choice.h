@@ -19,8 +19,7 @@ struct FoundSolid
 };
 
 /// The simplest solid that explains the outlines of all views: a box or a cylinder (estimateShape), or, where outlines were measured by their support, one of several levels
-/// (fitLevels) where that explains them clearly better. Fits of several levels that begin elsewhere may end in other solids that explain the outlines nearly as well: by how much they put the robot
-/// elsewhere goes into the doubt about its place. nullopt: none explains them. Pure.
+/// (fitLevels), with what they tell beyond that (learnReach). nullopt: none explains them. Pure.
 std::optional<FoundSolid> findSolid(const std::vector<ViewTrack> &views, const RobotShape &told);
 
 /// The share of the outlines, but for those that the picture's edge cuts, that are the solid's; 0 where no solid was found, 1 for a mark on top of a robot of a told height.

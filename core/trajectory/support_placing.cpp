@@ -20,21 +20,18 @@ struct SupportDifference
     const FloorView &view;
     const SolidShape &shape;
     const Observation &observation;
-    const OutlineBias &bias;
+    const OutlineDifference &known;
     const BodyAxis &axis;
 
     template <class T>
     bool operator()(const T *pose, T *residual) const
     {
-        LevelsOf<T> levels;
-        for (std::size_t i = 0; i < levels.size(); ++i) {
-            const SolidLevel &level = shape.levels[i];
-            levels[i] = {T(level.heightM), T(level.frontM), T(level.backM), T(level.leftM), T(level.rightM)};
-        }
+        const Eigen::AngleAxisd toRobot(-valueOf(pose[2]), Eigen::Vector3d::UnitZ());
+        const auto more = [&](std::size_t, const Eigen::Vector3d &slope) { return slope.norm() * known.reach.at(toRobot * slope); };
         std::array<T, supportDirections> reach;
-        if (!reachOfLevels(view, levels, T(shape.roundShare), pose, reach))
+        if (!reachOfLevels(view, levelsOfShape<T>(shape), T(shape.roundShare), pose, reach, more))
             return false;
-        reachDifferences(observation.supportPx, observation.ellipse.centrePx, T(bias.widerPx), T(bias.lowerPx), reach, residual);
+        reachDifferences(observation.supportPx, observation.ellipse.centrePx, T(known.widerPx), reach, residual);
         residual[supportDirections] = (pose[2] - axis.angleRad) / std::max(axis.sigmaRad, leastAxisSigmaRad);
         return true;
     }
@@ -42,22 +39,25 @@ struct SupportDifference
 
 } // namespace
 
-std::optional<Eigen::Vector2d> placeBySupport(const FloorView &view, const SolidShape &shape, const Observation &observation, const OutlineBias &bias,
+std::optional<SupportPlace> placeBySupport(const FloorView &view, const SolidShape &shape, const Observation &observation, const OutlineDifference &known,
                                               const PlaceGuess &guess)
 {
     if (observation.supportPx.size() != supportDirections)
         return std::nullopt;
     const SolidShape levels = asLevels(shape);
-    const SupportDifference difference{view, levels, observation, bias, guess.axis};
+    const SupportDifference difference{view, levels, observation, known, guess.axis};
     using Function = ceres::TinySolverAutoDiffFunction<SupportDifference, supportDirections + 1, 3>;
     const Function function(difference);
     ceres::TinySolver<Function> solver;
     solver.options.max_num_iterations = 20;
     Eigen::Vector3d pose(guess.place.x(), guess.place.y(), guess.axis.angleRad);
     const auto &summary = solver.Solve(function, &pose);
-    if (!pose.allFinite() || !std::isfinite(summary.final_cost))
+    Eigen::Matrix<double, supportDirections + 1, 1> residuals;
+    Eigen::Matrix<double, supportDirections + 1, 3> slopes;
+    if (!pose.allFinite() || !std::isfinite(summary.final_cost) || !function(pose.data(), residuals.data(), slopes.data()))
         return std::nullopt;
-    return Eigen::Vector2d(pose.head<2>());
+    const Eigen::Matrix3d covariance = (slopes.transpose() * slopes).inverse();
+    return SupportPlace{pose.head<2>(), {pose.z(), std::sqrt(std::max(0.0, covariance(2, 2)))}};
 }
 
 } // namespace odo
