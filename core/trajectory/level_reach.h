@@ -85,7 +85,7 @@ bool reachOfLevels(const FloorView &view, const LevelsOf<T> &levels, const T &ro
         // The point of the circle that reaches farthest; where it is on the circle does not change the reach, to first order.
         Eigen::Vector3d slope = farthest->slope.transpose() * direction;
         const Eigen::Vector2d outward = slope.head<2>().normalized();
-        const T x = farthest->x + farthest->radius * outward.x(), y = farthest->y + farthest->radius * outward.y();
+        T x = farthest->x + farthest->radius * outward.x(), y = farthest->y + farthest->radius * outward.y();
         const Eigen::Vector3d middle(valueOf(farthest->x), valueOf(farthest->y), valueOf(farthest->z));
         Eigen::Vector3d about = middle;
         Eigen::Vector2d pixel = farthest->pixel;
@@ -97,6 +97,9 @@ bool reachOfLevels(const FloorView &view, const LevelsOf<T> &levels, const T &ro
                 return false;
             pixel = *exact;
             slope = there.transpose() * direction;
+            const Eigen::Vector2d touching = slope.head<2>().normalized(); // as seen from here, not from the circle's middle
+            x = farthest->x + farthest->radius * touching.x();
+            y = farthest->y + farthest->radius * touching.y();
         }
         reach[k] = direction.dot(pixel) + slope.x() * (x - about.x()) + slope.y() * (y - about.y()) + slope.z() * (farthest->z - about.z()) + more(k, slope);
     }
