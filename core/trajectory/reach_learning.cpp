@@ -104,6 +104,8 @@ ReachProblem::ReachProblem(const std::vector<CommonOutlines> &times, const Level
         for (const CommonOutlines::Outline &outline : common->outlines)
             if (outline.supportPx.size() == supportDirections)
                 addOutline(outline, pose, fit, share / (supportSigmaPx * supportSigmaPx), time);
+        if (time.coupling.isZero(0)) // no outline with a support
+            continue;
         const Eigen::Matrix<double, 2, Eigen::Dynamic> byPlace = time.placePrecision.inverse() * time.coupling;
         m_precision.noalias() -= time.coupling.transpose() * byPlace;
         m_pull.noalias() -= byPlace.transpose() * time.pull;
@@ -174,6 +176,8 @@ ReachProblem::Solution ReachProblem::solvedWith(double amplitudeM, const Eigen::
 
 std::optional<LearnedReach> ReachProblem::solve(double widerPx) const
 {
+    if (m_times.empty())
+        return std::nullopt;
     static const Eigen::LLT<Eigen::MatrixXd> prior(priorCovariance());
     static const Eigen::MatrixXd priorPrecision = prior.solve(Eigen::MatrixXd::Identity(nodes, nodes));
     static const double priorLogDeterminant = -2 * prior.matrixLLT().diagonal().array().log().sum();

@@ -21,7 +21,7 @@ struct LearnedReach
 /// Learns how the body's convex hull differs from the solid, whatever it looks like: a Gaussian process over the directions on the body (smooth over 15°, nearly
 /// alike to the left and to the right), fitted by linear least squares together with a shift of each place. How much they differ is what makes the outlines likeliest
 /// (marginal likelihood; Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, 5.4). With it goes by how much all outlines are drawn too wide. What the outlines
-/// leave open of all this is in the σ, which takes no body for known to better than two millimetres. told: a length and a width are kept. nullopt: nothing can be solved. Pure.
+/// leave open of all this is in the σ, which takes no body for known to better than two millimetres. told: a length and a width are kept. nullopt: no outline was measured by its support. Pure.
 std::optional<LearnedReach> learnReach(const std::vector<CommonOutlines> &times, const LevelFit &fit, const RobotShape &told);
 
 } // namespace odo

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry/convex_hull.h"
 #include "core/geometry/silhouette.h"
+#include "core/geometry/support.h"
 #include "tests/trajectory/synthetic_trial.h"
 
 #include <Eigen/Eigenvalues>
@@ -50,6 +52,29 @@ inline ViewTrack filmSilhouette(const std::string &name, const FloorView &view, 
     for (Observation &observation : track.observations) {
         const Truth truth = course(toSeconds(observation.time));
         observation.supportPx = *silhouetteSupport(view, shape, truth.position, headingOf(truth), observation.ellipse.centrePx);
+        for (float &reach : observation.supportPx)
+            reach += float(noise(random));
+    }
+    return track;
+}
+
+/// The same of the convex hull of some points, which need not be a solid of levels. Robot's frame, metres.
+inline ViewTrack filmHull(const std::string &name, const FloorView &view, const std::vector<Eigen::Vector3d> &body, const Course &course, double noisePx,
+                          std::mt19937 &random)
+{
+    ViewTrack track = film(name, view, course, {}, random);
+    std::normal_distribution<double> noise(0, noisePx);
+    for (Observation &observation : track.observations) {
+        const Truth truth = course(toSeconds(observation.time));
+        const Eigen::AngleAxisd turn(headingOf(truth), Eigen::Vector3d::UnitZ());
+        std::vector<Eigen::Vector2d> points;
+        for (const Eigen::Vector3d &point : body)
+            points.push_back(*view.pixelFromWorld(turn * point + Eigen::Vector3d(truth.position.x(), truth.position.y(), 0)));
+        const RegionMoments moments = polygonMoments(convexHull(points));
+        observation.ellipse = ellipseOf(moments);
+        observation.ellipse.centrePx += Eigen::Vector2d(noise(random), noise(random));
+        observation.areaPx = moments.areaPx2;
+        observation.supportPx = supportOf(points, observation.ellipse.centrePx);
         for (float &reach : observation.supportPx)
             reach += float(noise(random));
     }

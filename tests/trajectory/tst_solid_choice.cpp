@@ -76,7 +76,8 @@ private Q_SLOTS:
         QVERIFY2(std::abs(solid->shape.topM - 0.095) < 0.012, qPrintable(QString::number(solid->shape.topM)));
         for (const auto &view : solid->seen) {
             const PlaceErrors errors = errorsOf(view);
-            QVERIFY2(errors.rmsM < 0.004, qPrintable(QString::number(errors.rmsM)));
+            // 0.2 px of noise are 0.6 mm a picture; twice that.
+            QVERIFY2(errors.rmsM < 0.0012, qPrintable(QString::number(errors.rmsM)));
             QVERIFY2(errors.insideShare > 0.8, qPrintable(QString::number(errors.insideShare)));
         }
     }
