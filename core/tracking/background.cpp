@@ -18,6 +18,7 @@ constexpr std::size_t mostBytes = 64'000'000;
 constexpr int motionLattice = 4;      // every so many samples of luma are compared
 constexpr int movedBy = 12;           // code values, beyond noise and coding
 constexpr int leastMoved = 8;         // samples of the lattice: some 11 x 11 pixels
+constexpr float sameLight = 1.05F;     // ratio of the lights of frames that may be compared as they are
 constexpr std::size_t block = 64;     // samples that are sorted side by side
 
 std::size_t bytesOf(const Frame &frame)
@@ -80,17 +81,22 @@ Background::Plane medianOf(const std::vector<PlaneView> &planes, const std::vect
     result.sigmas.resize(result.values.size());
     std::vector<std::array<std::uint8_t, 256>> tables;
     for (const LightGain &gain : gains)
-        tables.push_back(isLuma ? gain.toReference() : LightGain().toReference());
+        tables.push_back(isLuma ? gain.toReference() : gain.chromaToReference());
+    const auto [dimmest, lightest] = std::ranges::minmax(gains, {}, &LightGain::factor);
+    const bool lightChanges = isLuma && lightest.factor > sameLight * dimmest.factor;
     // From the quarter of the samples next to the median on that side where no robot was seen; the nearer of two sides is the lesser one by chance.
     constexpr float sigmaPerQuarter = 1.75F;
     Samples samples;
     for (int y = 0; y < result.height; ++y) {
         for (int x0 = 0; x0 < result.width; x0 += int(block)) {
             const auto here = std::size_t(std::min(int(block), result.width - x0));
+            std::array<bool, block> isCutOff{}; // then it is not known what it is in other light
             for (std::size_t f = 0; f < count; ++f) {
                 const std::uint8_t *row = planes[f].row(y) + x0;
-                for (std::size_t x = 0; x < here; ++x)
+                for (std::size_t x = 0; x < here; ++x) {
                     samples[f][x] = tables[f][row[x]];
+                    isCutOff[x] |= lightChanges && row[x] >= LightGain::mostLuma;
+                }
             }
             sortColumns(samples, count);
             std::uint8_t *values = result.values.data() + std::ptrdiff_t(y) * result.width + x0;
@@ -99,7 +105,7 @@ Background::Plane medianOf(const std::vector<PlaneView> &planes, const std::vect
             for (std::size_t x = 0; x < here; ++x) {
                 values[x] = median[x];
                 const float sigma = std::max(Background::leastSigma, sigmaPerQuarter * float(std::min(upper[x] - median[x], median[x] - lower[x])));
-                sigmas[x] = static_cast<std::uint8_t>(std::min(255.0F, sigma / Background::sigmaUnit + 0.5F));
+                sigmas[x] = static_cast<std::uint8_t>(isCutOff[x] ? 255.0F : std::min(255.0F, sigma / Background::sigmaUnit + 0.5F));
             }
         }
     }

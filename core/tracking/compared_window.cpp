@@ -12,10 +12,11 @@ namespace {
 
 constexpr float plainSteps = 6;                    // of the least step: half of black on grey
 constexpr float textureJitter = 0.08F;             // of the luma's slope: what coding and a lens that breathes move, pixels
-constexpr float darkest = 0.40F, lightest = 0.99F; // of the floor in shadow against the floor in light
+constexpr float darkest = 0.28F, lightest = 0.99F; // of the floor in shadow against the floor in light
 constexpr float darkestFloor = 12;                 // code values above black: on a darker one a shadow is not seen
 constexpr int patch = 7;                           // pixels of the patches whose texture is compared
 constexpr float leastPatch = 16, flatness = 0.25F; // of the texture's variance
+constexpr float otherHue = 2.2F;                   // code values, of a patch's mean chroma against that of the floor in shadow
 constexpr float clearTexture = 6;                  // its variance against the noise's
 
 /// A chroma plane about neutral, brought to the resolution of the luma.
@@ -48,7 +49,7 @@ void ComparedWindow::compare(const Frame &frame, const Background &background, c
 {
     rect = part;
     read(frame, background, gain);
-    findDifferences();
+    findDifferences(float(LightGain::mostLuma - gain.black));
     findShade();
 }
 
@@ -82,7 +83,7 @@ void ComparedWindow::read(const Frame &frame, const Background &background, cons
     vBehind *= gain.factor;
 }
 
-void ComparedWindow::findDifferences()
+void ComparedWindow::findDifferences(float cutOff)
 {
     differs.create(luma.size());
     plain.create(luma.size());
@@ -92,7 +93,9 @@ void ComparedWindow::findDifferences()
             const float slopeX = here[std::min(luma.cols - 1, x + 1)] - here[std::max(0, x - 1)], slopeY = below[x] - above[x];
             const float noise2 = lumaNoise2(y, x) + squared(textureJitter) * (slopeX * slopeX + slopeY * slopeY);
             lumaNoise2(y, x) = noise2;
-            const float dy = luma(y, x) - here[x], du = u(y, x) - uBehind(y, x), dv = v(y, x) - vBehind(y, x);
+            const float darker = luma(y, x) - here[x];
+            const float dy = luma(y, x) >= cutOff ? std::max(0.0F, darker) : darker; // it may be as light as foreseen
+            const float du = u(y, x) - uBehind(y, x), dv = v(y, x) - vBehind(y, x);
             const float excess = dy * dy / noise2 + (du * du + dv * dv) / chromaNoise2(y, x);
             const float lumaSteps = std::abs(dy) / leastLumaStep, chromaSteps = std::max(std::abs(du), std::abs(dv)) / leastChromaStep;
             const float steps = std::max(lumaSteps, chromaSteps);
@@ -107,7 +110,8 @@ void ComparedWindow::findDifferences()
 void ComparedWindow::findShade()
 {
     shade.create(luma.size());
-    cv::Mat1f mask(luma.size()), seen(luma.size()), behind(luma.size());
+    byHue = cv::Mat1b::zeros(luma.size());
+    cv::Mat1f mask(luma.size()), seen(luma.size()), behind(luma.size()), offU(luma.size()), offV(luma.size());
     for (int y = 0; y < luma.rows; ++y) {
         for (int x = 0; x < luma.cols; ++x) {
             const float floor = std::max(1.0F, lumaBehind(y, x)), ratio = luma(y, x) / floor;
@@ -121,6 +125,8 @@ void ComparedWindow::findShade()
             mask(y, x) = mayBe && differs(y, x) ? 1.0F : 0.0F;
             seen(y, x) = mask(y, x) * std::log(std::max(1.0F, luma(y, x)));
             behind(y, x) = mask(y, x) * std::log(floor);
+            offU(y, x) = mask(y, x) * (u(y, x) - ratio * uBehind(y, x));
+            offV(y, x) = mask(y, x) * (v(y, x) - ratio * vBehind(y, x));
         }
     }
     const auto sum = [](const cv::Mat1f &values) {
@@ -128,14 +134,15 @@ void ComparedWindow::findShade()
         cv::boxFilter(values, result, -1, {patch, patch}, {-1, -1}, false, cv::BORDER_CONSTANT);
         return result;
     };
-    const cv::Mat1f n = sum(mask), i = sum(seen), ii = sum(seen.mul(seen)), b = sum(behind), bb = sum(behind.mul(behind));
+    const cv::Mat1f n = sum(mask), i = sum(seen), ii = sum(seen.mul(seen)), b = sum(behind), bb = sum(behind.mul(behind)), du = sum(offU), dv = sum(offV);
     for (int y = 0; y < luma.rows; ++y) {
         for (int x = 0; x < luma.cols; ++x) {
             if (mask(y, x) == 0 || n(y, x) < leastPatch)
                 continue;
             const float varI = ii(y, x) / n(y, x) - squared(i(y, x) / n(y, x)), varB = bb(y, x) / n(y, x) - squared(b(y, x) / n(y, x));
             const float noise = lumaNoise2(y, x) / squared(std::max(1.0F, luma(y, x)));
-            if (varB > clearTexture * noise && varI < flatness * varB)
+            byHue(y, x) = std::max(std::abs(du(y, x)), std::abs(dv(y, x))) > otherHue * n(y, x) ? 1 : 0;
+            if (byHue(y, x) || (varB > clearTexture * noise && varI < flatness * varB))
                 shade(y, x) = 0;
         }
     }

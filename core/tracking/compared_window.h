@@ -18,13 +18,14 @@ struct ComparedWindow
     cv::Mat1b differs;                  ///< 1 where luma or chroma differ by more than the place varies
     cv::Mat1b plain;                    ///< 1 where they differ by so much that even a few pixels of it are no noise
     cv::Mat1b shade;                    ///< 1 where it may be floor in shadow
+    cv::Mat1b byHue;                    ///< 1 where only the mean hue of the pixels around tells it from a shadow: known to some pixels
 
     /// Compares a part that lies in the frame, whose format is the background's.
     void compare(const Frame &frame, const Background &background, const LightGain &gain, const PixelRect &part);
 
 private:
     void read(const Frame &frame, const Background &background, const LightGain &gain);
-    void findDifferences();
+    void findDifferences(float cutOff);
     void findShade();
 };
 

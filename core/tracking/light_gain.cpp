@@ -10,7 +10,7 @@ namespace odo {
 namespace {
 
 constexpr double comparedSamples = 2000;
-constexpr int codedBlack = 16, leastLuma = 24, mostLuma = 235; // darker is noise, lighter may be cut off
+constexpr int codedBlack = 16, leastLuma = 24; // darker is noise
 constexpr float leastFactor = 0.2F, mostFactor = 5;
 constexpr std::size_t fewestRatios = 50;
 

@@ -20,6 +20,12 @@ struct LightGain
     std::array<std::uint8_t, 256> toReference() const { return table(1 / factor); }
     /// For each code value of the reference, what it would be in the plane's light.
     std::array<std::uint8_t, 256> fromReference() const { return table(factor); }
+    /// As toReference, of chroma, which lies about its neutral value.
+    std::array<std::uint8_t, 256> chromaToReference() const { return LightGain{factor, neutralChroma}.toReference(); }
+
+    static constexpr int neutralChroma = 128;
+    /// Luma from this code value on may be cut off by the sensor: what is darker in the reference may have been as light there.
+    static constexpr int mostLuma = 235;
 
 private:
     std::array<std::uint8_t, 256> table(float by) const;

@@ -19,7 +19,7 @@ constexpr int windowMargin = 20;           // round what was found on the lattic
 constexpr int mostSilhouettes = 16;
 constexpr double mostShare = 0.4;          // of the picture that robots take up
 constexpr double leastFragmentPx = 12;     // of a part that is taken with a body
-constexpr int edgeReach = 4;               // pixels round one on a region's edge, in which both sides are looked at
+constexpr int edgeReach = 4, hueReach = 6; // pixels round one on a region's edge, in which both sides are looked at
 constexpr float half = 0.5F;
 
 /// Windows round what differs, which do not overlap.
@@ -94,7 +94,7 @@ cv::Mat1b SilhouetteFinder::Impl::differencesOnLattice(const Frame &frame) const
             const auto share = [](int difference, int sigmas) {
                 return squared(float(difference)) / squared(float(sigmas) * Background::sigmaUnit);
             };
-            const int dy = luma[x] - behind[lumaBehind[x]], du = u[cx] - uBehind[cx], dv = v[cx] - vBehind[cx];
+            const int darker = luma[x] - behind[lumaBehind[x]], dy = luma[x] >= LightGain::mostLuma ? std::max(0, darker) : darker, du = u[cx] - uBehind[cx], dv = v[cx] - vBehind[cx];
             const bool isStep = float(std::abs(dy)) > leastLumaStep || float(std::max(std::abs(du), std::abs(dv))) > leastChromaStep;
             hits(j, i) = isStep && share(dy, sigma[x]) + share(du, uSigma[cx]) + share(dv, vSigma[cx]) > differsInSigmas2 ? 1 : 0;
         }
@@ -110,12 +110,12 @@ struct EdgeSides
     float shade = 1;
 };
 
-EdgeSides sidesOf(const ComparedWindow &w, const cv::Mat1b &core, const cv::Mat1b &near, int x, int y)
+EdgeSides sidesOf(const ComparedWindow &w, const cv::Mat1b &core, const cv::Mat1b &near, int x, int y, int reach)
 {
     EdgeSides sides;
     float outside = 0, shade = 0;
-    for (int j = std::max(0, y - edgeReach); j <= std::min(core.rows - 1, y + edgeReach); ++j) {
-        for (int i = std::max(0, x - edgeReach); i <= std::min(core.cols - 1, x + edgeReach); ++i) {
+    for (int j = std::max(0, y - reach); j <= std::min(core.rows - 1, y + reach); ++j) {
+        for (int i = std::max(0, x - reach); i <= std::min(core.cols - 1, x + reach); ++i) {
             if (core(j, i)) {
                 sides.inside += 1;
                 sides.luma += w.luma(j, i);
@@ -187,6 +187,10 @@ void SilhouetteFinder::Impl::measure(const cv::Mat1b &region, const cv::Rect &bo
     const cv::Mat1b disc = cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5});
     cv::erode(region, core, disc, {-1, -1}, 1, cv::BORDER_CONSTANT, 0);
     cv::dilate(region, near, disc);
+    cv::Mat1b inner, soft; // where the edge is known by hue only, it is somewhere in a wider band
+    cv::erode(region, inner, cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 9}), {-1, -1}, 1, cv::BORDER_CONSTANT, 0);
+    soft = near & w.byHue & (inner == 0);
+    core &= soft == 0;
     const cv::Rect part = cv::Rect(box.x - 3, box.y - 3, box.width + 6, box.height + 6) & cv::Rect(0, 0, region.cols, region.rows);
     cv::Mat1f covered = cv::Mat1f::zeros(part.size());
     double inside = 0, su = 0, sv = 0;
@@ -196,7 +200,7 @@ void SilhouetteFinder::Impl::measure(const cv::Mat1b &region, const cv::Rect &bo
                 continue;
             float &here = covered(y - part.y, x - part.x);
             if (!core(y, x)) {
-                here = coveredPart(w, sidesOf(w, core, near, x, y), x, y, region(y, x));
+                here = coveredPart(w, sidesOf(w, core, near, x, y, soft(y, x) ? hueReach : edgeReach), x, y, region(y, x));
                 continue;
             }
             here = 1;

@@ -26,6 +26,7 @@ constexpr double mostOfWhole = 0.5;    // of a whole's hull: the share of a part
 constexpr double mostAlike = 3;        // ratio of the areas of parts that are alike
 constexpr int mostBesideAlike = 10;    // frames, after which they are parts of one robot
 constexpr double scoreOfParts = 0.4;
+constexpr int mostBesideOthers = 30;   // frames, after which it may be a part of what they are together
 constexpr double leastFirstClear = 0.2; // share that cannot be a shadow
 constexpr double shadowShift = 0.3;     // of the radius: by which a shadow may draw the centre
 constexpr double leastSizeDoubt = 0.15; // of the area: what is more moves the centre
@@ -36,6 +37,7 @@ struct Followed
     AreaExpectation area; ///< 0 before it was ever seen
     bool isOfParts = false; ///< found as several silhouettes together
     int besideAlike = 0;    ///< frames in a row in which others like its silhouette stood beside it
+    int besideOthers = 0;   ///< and in which anything did that may be a part of the same body
     int missed = -1;   ///< frames since it was seen; below 0: it is lost or was never found
     int together = 0;  ///< frames for which it has been one silhouette with another robot
 
@@ -75,10 +77,11 @@ struct SilhouetteTracker::Impl
     std::vector<Observation> last;
     DuplicateDetector duplicates;
     std::optional<FloorView> floor;
-    std::vector<SeenSilhouette> wholes; ///< of the frame: of parts that are alike
+    std::vector<SeenSilhouette> wholes, besides; ///< of the frame: of parts that are alike, and of others
 
     std::vector<bool> leaveTogether(std::vector<SeenSilhouette> &seen, double timeS);
     void takeWholeInstead(Followed &robot, SeenSilhouette &taken) const;
+    void doubtPart(Followed &robot, SeenSilhouette &taken) const;
     void assign(const Frame &frame, std::vector<SeenSilhouette> seen, std::span<const SilhouetteCue> cues);
     void addWholes(std::vector<SeenSilhouette> &seen);
     void accept(Followed &robot, const SeenSilhouette &silhouette, double timeS, Observation &observation);
@@ -122,9 +125,9 @@ void SilhouetteTracker::Impl::accept(Followed &robot, const SeenSilhouette &silh
 void SilhouetteTracker::Impl::addWholes(std::vector<SeenSilhouette> &seen)
 {
     wholes.clear();
+    besides.clear();
     if (robots.size() > 1) // whose parts stand beside those of others
         return;
-    std::vector<SeenSilhouette> besides;
     for (const std::vector<std::size_t> &parts : groupsOfParts(seen)) {
         SeenSilhouette whole = joined(seen, parts);
         if (floor && isTooLargeForRobot(*floor, whole.box))
@@ -138,7 +141,22 @@ void SilhouetteTracker::Impl::addWholes(std::vector<SeenSilhouette> &seen)
         (isLikely ? wholes : besides).push_back(std::move(whole));
     }
     seen.insert(seen.begin(), wholes.begin(), wholes.end());
-    std::ranges::move(besides, std::back_inserter(seen));
+    seen.insert(seen.end(), besides.begin(), besides.end());
+}
+
+/// What has long gone along beside something else may be a part of what both are: then the whole's middle is the robot's.
+void SilhouetteTracker::Impl::doubtPart(Followed &robot, SeenSilhouette &taken) const
+{
+    const auto contains = [&taken](const SeenSilhouette &one) { return one.box.contains(taken.box) && one.regions > taken.regions; };
+    const SeenSilhouette *whole = nullptr;
+    for (const auto *all : {&wholes, &besides})
+        if (const auto found = std::ranges::find_if(*all, contains); !whole && found != all->end())
+            whole = &*found;
+    robot.besideOthers = whole ? robot.besideOthers + 1 : 0;
+    if (robot.besideOthers < mostBesideOthers)
+        return;
+    const Eigen::Vector2d away = whole->moments.centrePx - taken.moments.centrePx;
+    taken.centreCovariancePx2 += away * away.transpose();
 }
 
 /// What goes along beside others like it is one part of a robot (a wheel), though it was found alone.
@@ -185,6 +203,7 @@ void SilhouetteTracker::Impl::assign(const Frame &frame, std::vector<SeenSilhoue
         SeenSilhouette taken = std::move(seen[silhouette]);
         seen.erase(seen.begin() + std::ptrdiff_t(silhouette));
         takeWholeInstead(robots[robot], taken);
+        doubtPart(robots[robot], taken);
         // Its parts, and what it is a part of, are no robots besides.
         std::erase_if(seen, [&taken](const SeenSilhouette &one) { return taken.box.contains(one.box) || one.box.contains(taken.box); });
         accept(robots[robot], taken, timeS, last[robot]);
@@ -233,7 +252,7 @@ void SilhouetteTracker::Impl::assign(const Frame &frame, std::vector<SeenSilhoue
 }
 
 SilhouetteTracker::SilhouetteTracker(Background background, std::size_t robots, std::optional<FloorView> floor)
-    : m_impl(new Impl{SilhouetteFinder(std::move(background)), std::vector<Followed>(robots), {}, {}, std::move(floor), {}})
+    : m_impl(new Impl{SilhouetteFinder(std::move(background)), std::vector<Followed>(robots), {}, {}, std::move(floor), {}, {}})
 {
 }
 

@@ -177,17 +177,65 @@ AccuracyScene mjpeg(SeededDraw &draw)
     scene.recording.codec = VideoCodec::Mjpeg;
     return scene;
 }
+/// A person along the far side, some time within the run.
+SimulatedRobot passingPerson(SeededDraw &draw)
+{
+    const double y = draw.between(2.25, 2.45);
+    return walkingPerson(makeLineMotion({-0.2, y}, {3.2, y}, draw.between(0.5, 2), 5));
+}
+SimulatedRobot crossingBall(SeededDraw &draw)
+{
+    return rollingBall(makeLineMotion({draw.between(0.1, 0.5), draw.between(1.8, 2.1)}, {draw.between(2.5, 2.9), draw.between(0.1, 0.4)}, draw.between(1, 3), 4));
+}
+/// It comes in over the near side, stays and goes.
+SimulatedRobot passingHand(SeededDraw &draw)
+{
+    const Eigen::Vector2d outside(draw.between(0.6, 2.4), -1.6), inside(outside.x(), draw.between(-0.1, 0.2));
+    return reachingHand(makeStopAndGoMotion({outside, inside, outside}, 1.5, draw.between(0.6, 1.2)));
+}
 AccuracyScene personWalks(SeededDraw &draw)
 {
     AccuracyScene scene = withLook(draw, Look::Rover);
-    const double y = draw.between(2.25, 2.45);
-    scene.scene.bystanders = {walkingPerson(makeLineMotion({-0.2, y}, {3.2, y}, draw.between(0.5, 2), 5))};
+    scene.scene.bystanders = {passingPerson(draw)};
     return scene;
 }
 AccuracyScene ballRolls(SeededDraw &draw)
 {
     AccuracyScene scene = withLook(draw, Look::WhiteRover);
-    scene.scene.bystanders = {rollingBall(makeLineMotion({draw.between(0.1, 0.5), draw.between(1.8, 2.1)}, {draw.between(2.5, 2.9), draw.between(0.1, 0.4)}, 2, 5))};
+    scene.scene.bystanders = {crossingBall(draw)};
+    return scene;
+}
+AccuracyScene handReachesIn(SeededDraw &draw)
+{
+    AccuracyScene scene = withLook(draw, Look::Buggy);
+    scene.scene.bystanders = {passingHand(draw)};
+    return scene;
+}
+AccuracyScene twoPeople(SeededDraw &draw)
+{
+    AccuracyScene scene = withLook(draw, Look::GreyRover);
+    scene.scene.bystanders = {passingPerson(draw), walkingPerson(makeLineMotion({3.0, -0.5}, {0.2, -0.45}, draw.between(1, 3), 4))};
+    setLamp(scene, draw, 0.3);
+    return scene;
+}
+AccuracyScene everythingAtOnce(SeededDraw &draw)
+{
+    AccuracyScene scene = withLook(draw, Look::Boards);
+    scene.scene.bystanders = {passingPerson(draw), crossingBall(draw), passingHand(draw)};
+    scene.scene.floor.gloss = 0.15;
+    scene.scene.lights = {{1.2, draw.between(3, 5), 1e9}};
+    setLamp(scene, draw, 0.25);
+    return scene;
+}
+/// It waits where it begins while a ball rolls by.
+AccuracyScene ballBeforeTheStart(SeededDraw &draw)
+{
+    AccuracyScene scene;
+    scene.scene = drawnTestbed(draw, nearSide);
+    scene.scene.durationS = 10;
+    addRobot(scene, draw, robotOfLook(Look::Vacuum, makeLineMotion({0.5, 0.6}, {2.5, 1.4}, 5, 4)), false);
+    scene.told.front().colour.clear();
+    scene.scene.bystanders = {rollingBall(makeLineMotion({0.4, 1.9}, {2.8, 1.7}, 0.5, 3))};
     return scene;
 }
 AccuracyScene twoAlike(SeededDraw &draw)
@@ -237,6 +285,10 @@ const std::vector<std::pair<std::string, AccuracyScene (*)(SeededDraw &)>> &look
         {"look-mjpeg", mjpeg},
         {"look-person", personWalks},
         {"look-ball", ballRolls},
+        {"look-hand", handReachesIn},
+        {"look-two-people", twoPeople},
+        {"look-everything", everythingAtOnce},
+        {"look-ball-before", ballBeforeTheStart},
         {"look-two-alike", twoAlike}};
     return scenes;
 }

@@ -124,6 +124,7 @@ std::vector<BarResult> judgeLooks(const std::vector<MeasuredScene> &scenes)
         leastInside = std::min(leastInside, (sums.share(sums.insideX) + sums.share(sums.insideY)) / 2);
     }
     judgeTogether(judge, all, scenes);
+    judge.add(QStringLiteral("frames in which something else was taken for a robot"), double(all.elsewhere), 0, 0);
     judge.add(QStringLiteral("truth in the 95 % interval, worst scene, %"), 100 * leastInside, 80, 100);
     judge.add(QStringLiteral("frames with a position, worst scene, %"), 100 * leastFound, 99.5, 100);
     judge.add(QStringLiteral("false spikes in 1000 frames"), all.frames > 0 ? 1000.0 * double(all.flagged - all.justlyFlagged) / double(all.frames) : 0, 0, 1);

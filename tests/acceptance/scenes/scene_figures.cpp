@@ -16,6 +16,7 @@ constexpr double sigmas95 = 1.96;
 constexpr double spikeMm = 20;
 // Several times the stated σ of a sound place: whoever flags a place further off is right.
 constexpr double honestMm = 4;
+constexpr double anotherMm = 200;
 constexpr double impactMarginS = 0.2; // half of what a smoother looks at
 constexpr int exchangeFrames = 3;
 
@@ -106,6 +107,7 @@ private:
             line.has("raw_x_mm") ? (line.pair("raw_x_mm", "raw_y_mm") - truth.position * 1000).norm() : 0;
         const bool isSpike = rawErrorMm > spikeMm;
         const bool disturbed = isDisturbed(m_scene.scene, m_robot, timeS), flagged = line.isFlagged();
+        m_sums.elsewhere += rawErrorMm > anotherMm;
         m_sums.trueSpikes += isSpike;
         m_sums.foundSpikes += isSpike && flagged;
         m_sums.flagged += flagged;
@@ -160,6 +162,7 @@ AccuracySums &AccuracySums::operator+=(const AccuracySums &other)
     disturbed += other.disturbed;
     hiddenInOneView += other.hiddenInOneView;
     hiddenWithPosition += other.hiddenWithPosition;
+    elsewhere += other.elsewhere;
     exchanges += other.exchanges;
     return *this;
 }

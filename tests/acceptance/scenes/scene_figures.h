@@ -23,6 +23,7 @@ struct AccuracySums
     long flagged = 0, justlyFlagged = 0;  ///< flagged frames; those with a raw place more than 4 mm off, or disturbed
     long disturbed = 0;                   ///< frames with a reflection or a board near the robot
     long hiddenInOneView = 0, hiddenWithPosition = 0;
+    long elsewhere = 0; ///< raw places farther from the truth than any part of a robot: something else was taken for it
     long exchanges = 0; ///< more than three frames on end nearer to another robot's truth
 
     AccuracySums &operator+=(const AccuracySums &other);

@@ -165,6 +165,20 @@ private:
         return true;
     }
 
+    /// Names that are the program's own choice, among robots of no colour, are those of the robots that they fit best.
+    std::optional<AccuracySums> comparedWith(const QByteArray &csv, std::size_t robot) const
+    {
+        if (!m_out.scene.told[robot].colour.empty())
+            return compareWithTruth(csv, m_out.scene, robot);
+        std::optional<AccuracySums> best;
+        for (std::size_t other = 0; other < scene().robots.size(); ++other) {
+            const auto sums = compareWithTruth(csv, m_out.scene, other);
+            if (sums && (!best || sums->squaredMm < best->squaredMm))
+                best = sums;
+        }
+        return best;
+    }
+
     bool exportTracks()
     {
         for (std::size_t robot = 0; robot < scene().robots.size(); ++robot) {
@@ -174,9 +188,7 @@ private:
                        name}))
                 return false;
             QFile csv(file);
-            const auto sums = csv.open(QIODevice::ReadOnly)
-                                  ? compareWithTruth(csv.readAll(), m_out.scene, robot)
-                                  : std::nullopt;
+            const auto sums = csv.open(QIODevice::ReadOnly) ? comparedWith(csv.readAll(), robot) : std::nullopt;
             if (!sums) {
                 m_out.problem = file + s(": not the table that is promised");
                 return false;

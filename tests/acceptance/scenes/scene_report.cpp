@@ -57,6 +57,7 @@ QJsonObject sceneJson(const MeasuredScene &measured)
             {QStringLiteral("disturbed"), qint64(sums.disturbed)},
             {QStringLiteral("hidden_in_one_view"), qint64(sums.hiddenInOneView)},
             {QStringLiteral("hidden_with_position"), qint64(sums.hiddenWithPosition)},
+            {QStringLiteral("elsewhere"), qint64(sums.elsewhere)},
             {QStringLiteral("exchanges"), qint64(sums.exchanges)},
             {QStringLiteral("offset_error_s"), jsonOf(measured.offsetErrorS)},
             {QStringLiteral("wall_s"), measured.wallS},
