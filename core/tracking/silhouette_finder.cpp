@@ -219,6 +219,24 @@ void SilhouetteFinder::Impl::measure(const cv::Mat1b &region, const cv::Rect &bo
         silhouette.meanChroma = Chroma(su / inside, sv / inside);
 }
 
+/// Whether the background has the edge that an outline follows, and the picture has none: what was there while the background was learned has gone.
+bool isGhost(const ComparedWindow &w, const std::vector<cv::Point> &outline)
+{
+    constexpr int across = 2;        // pixels to either side of the edge
+    constexpr float clearly = 1.5F;
+    float now = 0, behind = 0;
+    for (const cv::Point &point : outline) {
+        const int left = std::max(0, point.x - across), right = std::min(w.luma.cols - 1, point.x + across);
+        const int above = std::max(0, point.y - across), below = std::min(w.luma.rows - 1, point.y + across);
+        const auto step = [&](const cv::Mat1f &plane) {
+            return std::hypot(plane(point.y, right) - plane(point.y, left), plane(below, point.x) - plane(above, point.x));
+        };
+        now += step(w.luma) + step(w.u) + step(w.v);
+        behind += step(w.lumaBehind) + step(w.uBehind) + step(w.vBehind);
+    }
+    return behind > clearly * now;
+}
+
 /// Takes away what is thin and reaches far out of a region: cables, aerials and masts are no part of a body's form, and often move in it.
 void cutAppendages(cv::Mat1b &region, const std::vector<cv::Point> &outline)
 {
@@ -260,6 +278,8 @@ void SilhouetteFinder::Impl::takeRegions()
     std::vector<std::vector<cv::Point>> outlines;
     cv::findContours(taken, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
     for (std::size_t k = 0; k < outlines.size(); ++k) {
+        if (isGhost(w, outlines[k]))
+            continue;
         const cv::Rect box = cv::boundingRect(outlines[k]);
         cv::Mat1b region = cv::Mat1b::zeros(taken.size());
         cv::drawContours(region, outlines, int(k), cv::Scalar(1), cv::FILLED);

@@ -11,7 +11,6 @@ namespace odo {
 
 namespace {
 
-constexpr double leastOutlineScore = 0.5;
 constexpr std::size_t leastTimes = 5;
 constexpr Nanoseconds longestStep = std::chrono::milliseconds(120);
 

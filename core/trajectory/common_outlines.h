@@ -8,6 +8,9 @@
 
 namespace odo {
 
+/// Of an outline that shows the whole robot.
+constexpr double leastOutlineScore = 0.5;
+
 /// The outlines that the views saw at one time: of each registered view, where it saw the whole robot
 /// clearly.
 struct CommonOutlines

@@ -4,6 +4,7 @@
 #include "core/trajectory/axis_track.h"
 #include "core/trajectory/body_direction.h"
 #include "core/trajectory/coloured_part.h"
+#include "core/trajectory/common_outlines.h"
 #include "core/trajectory/level_fit.h"
 #include "core/trajectory/reach_learning.h"
 #include "core/trajectory/shape_estimation.h"
@@ -45,6 +46,19 @@ void moveToReference(const std::vector<ViewTrack> &views, const Eigen::Vector2d 
                                                                  : directedAxes(views, solid.seen, std::move(placed.axes));
     solid.shape = movedPlace(asLevels(solid.shape), referenceM);
     solid.seen = placeBody(views, solid.shape, placed.axes);
+}
+
+/// Whether most of what was found may be a silhouette of all of the robot: of one that is mostly seen in parts, the few that seem whole are parts as well.
+bool areMostlyWhole(const std::vector<ViewTrack> &views)
+{
+    std::size_t found = 0, whole = 0;
+    for (const ViewTrack &view : views) {
+        for (const Observation &observation : view.observations) {
+            found += observation.found;
+            whole += observation.found && observation.score >= leastOutlineScore;
+        }
+    }
+    return 2 * whole >= found;
 }
 
 bool haveSupport(const std::vector<ViewTrack> &views)
@@ -97,6 +111,8 @@ double explainedShare(const std::vector<ViewTrack> &views, const RobotShape &tol
 std::optional<FoundSolid> findSolid(const std::vector<ViewTrack> &views, const RobotShape &told)
 {
     if (haveSupport(views)) {
+        if (!areMostlyWhole(views))
+            return std::nullopt;
         // A box that is only where the search begins need not have the size of the robot's whole outline.
         const auto guess = estimateShape(views, {});
         if (auto levels = guess ? findSolidOfLevels(views, told, placedSolid(views, *guess)) : std::nullopt)

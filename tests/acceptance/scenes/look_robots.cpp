@@ -131,7 +131,7 @@ SimulatedRobot walkingPerson(std::shared_ptr<const Motion> motion)
 
 SimulatedRobot reachingHand(std::shared_ptr<const Motion> motion)
 {
-    return bodyOf("hand", {{S::Box, skin, {0, 0, 0.1}, {0.18, 0.09, 0.05}}, {S::Box, {60, 70, 110}, {-0.44, 0, 0.16}, {0.7, 0.1, 0.1}}}, std::move(motion));
+    return bodyOf("hand", {{S::Box, skin, {0, 0, 0.1}, {0.18, 0.09, 0.05}}, {S::Box, {60, 70, 110}, {-0.99, 0, 0.16}, {1.8, 0.1, 0.1}}}, std::move(motion));
 }
 
 SimulatedRobot rollingBall(std::shared_ptr<const Motion> motion)

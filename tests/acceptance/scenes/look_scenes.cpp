@@ -6,6 +6,8 @@
 #include "tests/acceptance/scenes/look_robots.h"
 #include "tests/acceptance/scenes/scene_robots.h"
 
+#include <numbers>
+
 namespace odo::test {
 
 namespace {
@@ -190,8 +192,11 @@ SimulatedRobot crossingBall(SeededDraw &draw)
 /// It comes in over the near side, stays and goes.
 SimulatedRobot passingHand(SeededDraw &draw)
 {
-    const Eigen::Vector2d outside(draw.between(0.6, 2.4), -1.6), inside(outside.x(), draw.between(-0.1, 0.2));
-    return reachingHand(makeStopAndGoMotion({outside, inside, outside}, 1.5, draw.between(0.6, 1.2)));
+    const Eigen::Vector2d outside(draw.between(0.6, 2.4), -1.6), velocity(0, draw.between(1.05, 1.25));
+    const double comesS = draw.between(0.5, 2), staysS = draw.between(0.3, 1.2);
+    constexpr double rampS = 0.3, wayS = 1.4;
+    return reachingHand(makeVelocityMotion(outside, std::numbers::pi / 2,
+                                           {{comesS, rampS, velocity}, {comesS + wayS, rampS, -velocity}, {comesS + wayS + staysS, rampS, -velocity}, {comesS + 2 * wayS + staysS, rampS, velocity}}));
 }
 AccuracyScene personWalks(SeededDraw &draw)
 {
