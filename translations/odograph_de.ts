@@ -6631,6 +6631,18 @@
         <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
         <translation>von %1 s bis %2 s (das erste von %3 Malen) ist zweifelhaft, ob dies %4 oder ein anderer Roboter dieses Aussehens ist</translation>
     </message>
+    <message>
+        <source>in %1 of %2 pictures the views have it at places far apart</source>
+        <translation>in %1 von %2 Bildern sehen ihn die Ansichten an weit entfernten Orten</translation>
+    </message>
+    <message>
+        <source>one of them follows something else, or is not where it was registered</source>
+        <translation>eine von ihnen folgt etwas anderem oder steht nicht dort, wo sie eingemessen wurde</translation>
+    </message>
+    <message>
+        <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
+        <translation>sehen Sie sich die Umrisse an und geben Sie die Farbe des Roboters an, oder halten Sie andere aus den Bildern</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

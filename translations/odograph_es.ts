@@ -6631,6 +6631,18 @@
         <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
         <translation>de %1 s a %2 s (la primera de %3 veces) es dudoso si se trata de %4 o de otro robot del mismo aspecto</translation>
     </message>
+    <message>
+        <source>in %1 of %2 pictures the views have it at places far apart</source>
+        <translation>en %1 de %2 imágenes las vistas lo sitúan en lugares muy separados</translation>
+    </message>
+    <message>
+        <source>one of them follows something else, or is not where it was registered</source>
+        <translation>una de ellas sigue otra cosa, o no está donde se registró</translation>
+    </message>
+    <message>
+        <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
+        <translation>mire los contornos e indique el color del robot, o deje a los demás fuera de las imágenes</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6631,6 +6631,18 @@
         <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
         <translation>de %1 s à %2 s (la première de %3 fois), il n’est pas sûr qu’il s’agisse de %4 ou d’un autre robot de même apparence</translation>
     </message>
+    <message>
+        <source>in %1 of %2 pictures the views have it at places far apart</source>
+        <translation>dans %1 images sur %2, les vues le placent à des endroits très éloignés</translation>
+    </message>
+    <message>
+        <source>one of them follows something else, or is not where it was registered</source>
+        <translation>l’une d’elles suit autre chose, ou n’est plus là où elle a été localisée</translation>
+    </message>
+    <message>
+        <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
+        <translation>regardez les contours, et indiquez la couleur du robot ou gardez les autres hors des images</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

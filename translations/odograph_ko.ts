@@ -6629,6 +6629,18 @@
         <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
         <translation>%1초부터 %2초까지(%3번 중 첫 번째) 이 로봇이 %4인지 모습이 같은 다른 로봇인지 확실하지 않습니다</translation>
     </message>
+    <message>
+        <source>in %1 of %2 pictures the views have it at places far apart</source>
+        <translation>영상 %2개 중 %1개에서 뷰들이 서로 멀리 떨어진 곳을 가리킵니다</translation>
+    </message>
+    <message>
+        <source>one of them follows something else, or is not where it was registered</source>
+        <translation>그중 하나가 다른 것을 따라가거나 등록된 자리에 있지 않습니다</translation>
+    </message>
+    <message>
+        <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
+        <translation>윤곽을 살펴보고, 로봇의 색을 지정하거나 다른 것이 영상에 들어오지 않게 하십시오</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

@@ -6629,6 +6629,18 @@
         <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
         <translation>从 %1 秒到 %2 秒（共 %3 次中的第一次），无法确定这是 %4 还是外观相同的另一台机器人</translation>
     </message>
+    <message>
+        <source>in %1 of %2 pictures the views have it at places far apart</source>
+        <translation>%2 幅画面中有 %1 幅，各视图给出的位置相距很远</translation>
+    </message>
+    <message>
+        <source>one of them follows something else, or is not where it was registered</source>
+        <translation>其中一个视图跟踪了别的东西，或者摄像机不在注册时的位置</translation>
+    </message>
+    <message>
+        <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
+        <translation>请查看轮廓，并指定机器人的颜色，或不要让其他东西进入画面</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>

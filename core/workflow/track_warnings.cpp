@@ -3,6 +3,7 @@
 
 #include "core/trajectory/unseen_stretches.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -29,6 +30,19 @@ double partFound(const std::vector<TrackedView> &tracked, std::size_t robot)
     return frames > 0 ? double(found) / double(frames) : 0;
 }
 
+/// Empty where the views see the same thing, but for some moments.
+std::string apartSentence(const Profile &profile)
+{
+    static constexpr double farApartM = 0.2, mostApart = 0.1; // of what several views saw
+    const auto seen = std::ranges::count_if(profile.samples, [](const Sample &sample) { return sample.viewDisagreementM.has_value(); });
+    const auto apart = std::ranges::count_if(profile.samples, [](const Sample &sample) { return sample.viewDisagreementM.value_or(0) > farApartM; });
+    if (double(apart) <= mostApart * double(seen))
+        return {};
+    return "in " + std::to_string(apart) + " of " + std::to_string(seen) +
+           " pictures the views have it at places far apart: one of them follows something else, or is not where it was registered; look at the outlines, and tell the robot's colour or "
+           "keep others out of the pictures";
+}
+
 } // namespace
 
 std::string robotInTrial(const std::string &robotName, const std::string &trialName)
@@ -43,6 +57,8 @@ std::vector<std::string> analysisWarnings(const AnalysisRecord &analysis, const 
         sentences = describeUnseenStretches(analysis.profile, analysis.options.longestBridgedGap);
     if (analysis.proof == AnalysisRecord::Proof::Broken)
         sentences.insert(sentences.begin(), changedResults);
+    if (const std::string apart = apartSentence(analysis.profile); !apart.empty())
+        sentences.push_back(apart);
     if (!analysis.doubtfulNames.empty())
         sentences.push_back(doubtfulNamesSentence(analysis.doubtfulNames, analysis.robotName) + "; give each a colour of its own");
     for (std::string &sentence : sentences)

@@ -15,7 +15,7 @@ namespace odo {
 std::string robotInTrial(const std::string &robotName, const std::string &trialName);
 
 /// Whole sentences on an analysis whose results were changed since, that gave some, but not of all of the task (never of
-/// an imported track), or whose robot may have been taken for another one of its look. From what is stored, so that they can be told at any time.
+/// an imported track), whose views see different things, or whose robot may have been taken for another one of its look. From what is stored, so that they can be told at any time.
 std::vector<std::string> analysisWarnings(const AnalysisRecord &analysis, const std::string &trialName);
 
 /// "from 3.20 s to 3.90 s it is doubtful whether this is Blue 1 or Blue 2": a robot and those that it may be as well. Of several stretches the

@@ -2,6 +2,7 @@
 // Measures the speed of decoding and tracking beside libavcodec's and OpenCV's, and the accuracy beside it.
 #include "tests/acceptance/scenes/scene_report.h"
 #include "tests/benchmark/lens_rounds.h"
+#include "tests/benchmark/look_rounds.h"
 #include "tests/benchmark/speed_rounds.h"
 
 #include <QCommandLineParser>
@@ -107,6 +108,10 @@ int main(int argc, char *argv[])
     std::vector<Figure> figures = measureSpeed(*clips, order.rounds);
     if (figures.empty())
         return fail(QStringLiteral("the clips in %1 cannot be read; remove them").arg(folder));
+    const auto looks = measureLooks(folder.toStdString(), order.durationS, order.rounds);
+    if (!looks)
+        return fail(QString::fromStdString(looks.error().message()));
+    figures.insert(figures.end(), looks->begin(), looks->end());
     figures.push_back(measureColdSearch(clips->h264));
     figures.insert(figures.end(), calibration.begin(), calibration.end());
     const std::vector<Figure> centres = measureCentres(*clips);

@@ -139,6 +139,23 @@ private Q_SLOTS:
             QCOMPARE(QString::fromStdString(sentences.front()), said);
     }
 
+    void viewsThatSeeDifferentThingsAreSaid()
+    {
+        AnalysisRecord analysis;
+        analysis.robotName = std::string("Blue 1");
+        analysis.views = {"A", "B"};
+        analysis.profile.samples.resize(120);
+        for (int i = 0; i < 100; ++i) // one view alone saw the last twenty
+            analysis.profile.samples[std::size_t(i)].viewDisagreementM = i < 10 ? 1.7 : 0.003;
+        QVERIFY(analysisWarnings(analysis, "t").empty());
+        analysis.profile.samples[10].viewDisagreementM = 0.21;
+        const auto sentences = analysisWarnings(analysis, "t");
+        QCOMPARE(sentences.size(), std::size_t(1));
+        QCOMPARE(QString::fromStdString(sentences.front()),
+                 QStringLiteral("robot 'Blue 1' in trial 't': in 11 of 100 pictures the views have it at places far apart: one of them follows something else, or is not where it was "
+                                "registered; look at the outlines, and tell the robot's colour or keep others out of the pictures"));
+    }
+
     void hardlyEverFoundIsAnError()
     {
         RobotRecord robot;

@@ -195,7 +195,7 @@ std::vector<std::string> spikeReasons()
     return words;
 }
 
-std::vector<std::string> doubtSentences()
+std::vector<std::string> analysisSentences()
 {
     std::vector<std::string> words;
     for (const std::vector<std::string> &others : {std::vector<std::string>{}, {"Left"}, {"Left", "Hall 2"}})
@@ -203,6 +203,8 @@ std::vector<std::string> doubtSentences()
             AnalysisRecord analysis;
             analysis.robotName = "Hall";
             analysis.doubtfulNames.assign(std::size_t(count), {Nanoseconds(3'204'000'000), Nanoseconds(3'898'000'000), {}, others});
+            analysis.views = {"A", "B"}; // which have it far apart
+            analysis.profile.samples.resize(12, Sample{.viewDisagreementM = 1.5});
             for (const std::string &warning : analysisWarnings(analysis, "Left"))
                 words.push_back(warning);
         }
@@ -394,7 +396,7 @@ void TestCoreWords::inEnglishNothingChanges()
 {
     QLocale::setDefault(QLocale(QLocale::German)); // of dates and of numbers, not of words
     for (const auto &sentences :
-         {setupWords(), healthSentences(), spikeReasons(), doubtSentences(), lensVerdicts(), floorWords(), errorSentences()})
+         {setupWords(), healthSentences(), spikeReasons(), analysisSentences(), lensVerdicts(), floorWords(), errorSentences()})
         for (const std::string &each : sentences)
             QCOMPARE(shownWords(each), QString::fromStdString(each));
     for (const CorePattern &pattern : corePatterns())
@@ -422,7 +424,7 @@ void TestCoreWords::whatCoreSaysIsKnown_data()
     QTest::newRow("set-up doctor") << setupWords();
     QTest::newRow("health") << healthSentences();
     QTest::newRow("spikes") << spikeReasons();
-    QTest::newRow("doubts") << doubtSentences();
+    QTest::newRow("analyses") << analysisSentences();
     QTest::newRow("lenses") << lensVerdicts();
     QTest::newRow("floor") << floorWords();
     QTest::newRow("errors") << errorSentences();
