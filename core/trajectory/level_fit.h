@@ -36,7 +36,7 @@ std::vector<CommonOutlines> levelTimes(const std::vector<ViewTrack> &views);
 /// The convex solid of three levels whose silhouettes a robot's outlines are, where a box is not enough: clearance, a chassis, wheels, a narrower upper
 /// part, round corners. Fitted together with a pose for each of some forty times by weighted least squares of the outlines' supports over all views (Ceres, Cauchy's loss), from the box that is known and the directions that the body then had. The convex hull of a silhouette is
 /// the silhouette of the body's convex hull, so only outlines that are hulls tell the body of a robot with wheels and gaps. What was told of its height and
-/// size is kept. axes: directed (directedAxes). nullopt: too few outlines, or nothing better was found. Pure.
+/// size is kept. axes: directed (directedAxes). sightings: where the box was seen; the heading of what moves is mostly along its way (motionAt). nullopt: too few outlines, or nothing better was found. Pure.
 /// times: levelTimes(views), which several fits share.
 std::optional<LevelFit> fitLevels(const std::vector<CommonOutlines> &times, const std::vector<ViewTrack> &views, const std::vector<std::vector<BodyAxis>> &axes,
                                   const std::vector<std::vector<Sighting>> &sightings, const SolidShape &box, const RobotShape &told, const LevelStart &start);

@@ -204,7 +204,9 @@ std::vector<std::string> analysisSentences()
             analysis.robotName = "Hall";
             analysis.doubtfulNames.assign(std::size_t(count), {Nanoseconds(3'204'000'000), Nanoseconds(3'898'000'000), {}, others});
             analysis.views = {"A", "B"}; // which have it far apart
-            analysis.profile.samples.resize(12, Sample{.viewDisagreementM = 1.5});
+            Sample apart;
+            apart.viewDisagreementM = 1.5;
+            analysis.profile.samples.assign(12, apart);
             for (const std::string &warning : analysisWarnings(analysis, "Left"))
                 words.push_back(warning);
         }
