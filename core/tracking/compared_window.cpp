@@ -12,7 +12,7 @@ namespace {
 
 constexpr float plainSteps = 6;                    // of the least step: half of black on grey
 constexpr float textureJitter = 0.08F;             // of the luma's slope: what coding and a lens that breathes move, pixels
-constexpr float darkest = 0.28F, lightest = 0.99F; // of the floor in shadow against the floor in light
+constexpr float darkest = 0.40F, lightest = 0.99F; // of the floor in shadow against the floor in light
 constexpr float darkestFloor = 12;                 // code values above black: on a darker one a shadow is not seen
 constexpr int patch = 7;                           // pixels of the patches whose texture is compared
 constexpr float leastPatch = 16, flatness = 0.25F; // of the texture's variance

@@ -35,7 +35,9 @@ std::string apartSentence(const Profile &profile)
 {
     static constexpr double farApartM = 0.2, mostApart = 0.1; // of what several views saw
     const auto seen = std::ranges::count_if(profile.samples, [](const Sample &sample) { return sample.viewDisagreementM.has_value(); });
-    const auto apart = std::ranges::count_if(profile.samples, [](const Sample &sample) { return sample.viewDisagreementM.value_or(0) > farApartM; });
+    const auto apart = std::ranges::count_if(profile.samples, [](const Sample &sample) {
+        return hasFlag(sample.flags, SampleFlag::ViewsDisagree) && sample.viewDisagreementM.value_or(0) > farApartM;
+    });
     if (double(apart) <= mostApart * double(seen))
         return {};
     return "in " + std::to_string(apart) + " of " + std::to_string(seen) +

@@ -145,10 +145,12 @@ private Q_SLOTS:
         analysis.robotName = std::string("Blue 1");
         analysis.views = {"A", "B"};
         analysis.profile.samples.resize(120);
-        for (int i = 0; i < 100; ++i) // one view alone saw the last twenty
-            analysis.profile.samples[std::size_t(i)].viewDisagreementM = i < 10 ? 1.7 : 0.003;
+        for (int i = 0; i < 100; ++i) { // one view alone saw the last twenty
+            analysis.profile.samples[std::size_t(i)].viewDisagreementM = i < 11 ? 1.7 : 0.003;
+            analysis.profile.samples[std::size_t(i)].flags = i < 10 ? flagBit(SampleFlag::ViewsDisagree) : 0; // more than their σ allow
+        }
         QVERIFY(analysisWarnings(analysis, "t").empty());
-        analysis.profile.samples[10].viewDisagreementM = 0.21;
+        analysis.profile.samples[10].flags = flagBit(SampleFlag::ViewsDisagree);
         const auto sentences = analysisWarnings(analysis, "t");
         QCOMPARE(sentences.size(), std::size_t(1));
         QCOMPARE(QString::fromStdString(sentences.front()),

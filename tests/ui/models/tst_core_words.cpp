@@ -206,6 +206,7 @@ std::vector<std::string> analysisSentences()
             analysis.views = {"A", "B"}; // which have it far apart
             Sample apart;
             apart.viewDisagreementM = 1.5;
+            apart.flags = flagBit(SampleFlag::ViewsDisagree);
             analysis.profile.samples.assign(12, apart);
             for (const std::string &warning : analysisWarnings(analysis, "Left"))
                 words.push_back(warning);
