@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/support.h"
 
+#include "core/geometry/region_moments.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -33,16 +35,6 @@ std::vector<Eigen::Vector2d> cutBy(const std::vector<Eigen::Vector2d> &polygon, 
             inside.push_back(from + beyondFrom / (beyondFrom - beyondTo) * (to - from));
     }
     return inside;
-}
-
-double areaOf(const std::vector<Eigen::Vector2d> &polygon)
-{
-    double twice = 0;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Eigen::Vector2d &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
-        twice += from.x() * to.y() - from.y() * to.x();
-    }
-    return twice / 2;
 }
 
 } // namespace
@@ -89,7 +81,7 @@ std::vector<Eigen::Vector2d> supportPolygon(const std::vector<float> &support, c
     }
     while (corners.size() > 1 && (corners.front() - corners.back()).norm() <= samePx)
         corners.pop_back();
-    if (corners.size() < 3 || areaOf(corners) < leastPx2)
+    if (corners.size() < 3 || polygonMoments(corners).areaPx2 < leastPx2)
         return {};
     for (Eigen::Vector2d &corner : corners)
         corner += about;

@@ -7,6 +7,7 @@
 #include "core/video/video_reader.h"
 #include "tests/acceptance/scenes/look_robots.h"
 #include "tests/benchmark/cpu_clock.h"
+#include "tests/benchmark/opencv_tracking.h"
 
 #include <numbers>
 #include <opencv2/imgproc.hpp>
@@ -57,24 +58,13 @@ std::optional<Background> learnedFrom(const LookClip &clip)
     return learner.learned();
 }
 
-cv::Mat bgrOf(const Frame &frame)
-{
-    cv::Mat planes(frame.y.height * 3 / 2, frame.y.width, CV_8UC1), bgr;
-    std::uint8_t *to = planes.data;
-    for (const PlaneView &plane : {frame.y, frame.u, frame.v})
-        for (int y = 0; y < plane.height; ++y, to += plane.width)
-            std::copy_n(plane.row(y), plane.width, to);
-    cv::cvtColor(planes, bgr, cv::COLOR_YUV2BGR_I420);
-    return bgr;
-}
-
 LookRound runRound(const LookClip &clip, const Background &background)
 {
     LookRound round;
     const auto reader = VideoReader::open(clip.file);
     SilhouetteTracker tracker(background, clip.robots);
     const auto subtractor = cv::createBackgroundSubtractorMOG2();
-    cv::Mat mask;
+    cv::Mat bgr, mask;
     cv::setNumThreads(1);
     while (reader) {
         const double begin = threadCpuS();
@@ -85,7 +75,7 @@ LookRound runRound(const LookClip &clip, const Background &background)
         for (const Observation &observation : tracker.track(**frame))
             round.found += observation.found;
         const double tracked = threadCpuS();
-        const cv::Mat bgr = bgrOf(**frame);
+        cv::cvtColor(stackedPlanes(**frame), bgr, cv::COLOR_YUV2BGR_I420);
         const double converted = threadCpuS();
         subtractor->apply(bgr, mask);
         round.subtractS += workS(converted, threadCpuS());

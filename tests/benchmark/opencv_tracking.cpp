@@ -16,17 +16,6 @@ constexpr int bins[] = {30, 32};
 constexpr float hueRange[] = {0, 180}, saturationRange[] = {0, 256};
 const float *ranges[] = {hueRange, saturationRange};
 
-/// The planes one below the other, as OpenCV wants them.
-cv::Mat stacked(const Frame &frame)
-{
-    cv::Mat planes(frame.y.height * 3 / 2, frame.y.width, CV_8UC1);
-    std::uint8_t *to = planes.data;
-    for (const PlaneView &plane : {frame.y, frame.u, frame.v})
-        for (int y = 0; y < plane.height; ++y, to += plane.width)
-            std::copy_n(plane.row(y), plane.width, to);
-    return planes;
-}
-
 struct OpencvRobot
 {
     cv::Mat histogram;
@@ -49,6 +38,16 @@ OpencvRobot learn(const cv::Mat &hsv, const Eigen::Vector2d &centre, const Eigen
 
 } // namespace
 
+cv::Mat stackedPlanes(const Frame &frame)
+{
+    cv::Mat planes(frame.y.height * 3 / 2, frame.y.width, CV_8UC1);
+    std::uint8_t *to = planes.data;
+    for (const PlaneView &plane : {frame.y, frame.u, frame.v})
+        for (int y = 0; y < plane.height; ++y, to += plane.width)
+            std::copy_n(plane.row(y), plane.width, to);
+    return planes;
+}
+
 OpencvTrackedClip trackByOpencv(const BenchmarkClip &clip, std::size_t robots)
 {
     OpencvTrackedClip result;
@@ -65,7 +64,7 @@ OpencvTrackedClip trackByOpencv(const BenchmarkClip &clip, std::size_t robots)
         if (!frame || !*frame)
             break;
         const double decoded = threadCpuS();
-        const cv::Mat planes = stacked(**frame);
+        const cv::Mat planes = stackedPlanes(**frame);
         const double planesReady = threadCpuS();
         cv::cvtColor(planes, bgr, cv::COLOR_YUV2BGR_I420);
         const double bgrReady = threadCpuS();

@@ -3,7 +3,12 @@
 
 #include "tests/benchmark/clip_tracking.h"
 
+#include <opencv2/core.hpp>
+
 namespace odo::test {
+
+/// A frame's planes one below the other, as OpenCV wants them.
+cv::Mat stackedPlanes(const Frame &frame);
 
 /// The ordinary way, as OpenCV's own example goes (samples/cpp/camshiftdemo.cpp): the whole frame from BGR to
 /// HSV, the back projection of a histogram of hue and saturation over it, CamShift. Its histogram is taken
