@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/demo_testbed.h"
 
+#include "core/simulation/demo_robots.h"
+
 #include <cassert>
 
 namespace odo {
@@ -8,38 +10,39 @@ namespace {
 
 constexpr RgbColour red{0xd7, 0x23, 0x28}, blue{0x1f, 0x6f, 0xd0}, green{0x1f, 0x9d, 0x4d};
 
-SimulatedScene sceneWith(std::uint32_t seed, const std::string &robot, RgbColour colour,
-                         std::shared_ptr<const Motion> motion, double durationS)
+SimulatedScene sceneWith(std::uint32_t seed, SimulatedRobot robot, double durationS)
 {
     SimulatedScene scene = demoTestbed(seed);
     scene.durationS = durationS;
-    SimulatedRobot simulated;
-    simulated.name = robot;
-    simulated.colour = colour;
-    simulated.motion = std::move(motion);
-    scene.robots.push_back(std::move(simulated));
+    scene.robots.push_back(std::move(robot));
     return scene;
 }
 
 DemoTrial straight()
 {
-    SimulatedScene scene =
-        sceneWith(11, "Red 2", red, makeLineMotion({0.35, 0.55}, {2.65, 1.6}, 1.0, 3.6), 6.0);
+    SimulatedScene scene = sceneWith(11, demoBox("Red 2", red, makeLineMotion({0.35, 0.55}, {2.65, 1.6}, 1.0, 3.6)), 6.0);
     scene.cameras[1].startOffsetS = 0.011;
     return {"straight", "Falcon", "Red 2", "Straight line", std::move(scene)};
 }
 
 DemoTrial circle()
 {
-    SimulatedScene scene = sceneWith(12, "Blue 1", blue, makeCircleMotion({1.5, 1.1}, 0.75, 1.1, 1.5), 8.0);
+    SimulatedScene scene = sceneWith(12, demoBox("Blue 1", blue, makeCircleMotion({1.5, 1.1}, 0.75, 1.1, 1.5)), 8.0);
     scene.cameras[1].startOffsetS = 0.019;
     return {"circle", "Otter", "Blue 1", "Circle", std::move(scene)};
 }
 
+/// A little wide of the task's circle.
+DemoTrial circleWithRover()
+{
+    SimulatedScene scene = sceneWith(16, demoRover("Rover 4", makeCircleMotion({1.5, 1.1}, 0.77, 0.95, 1.8)), 8.0);
+    scene.cameras[1].startOffsetS = 0.016;
+    return {"circle with rover", "Heron", "Rover 4", "Circle", std::move(scene)};
+}
+
 DemoTrial figureEight()
 {
-    SimulatedScene scene =
-        sceneWith(13, "Green 3", green, makeFigureEightMotion({1.5, 1.1}, 1.05, 0.6, 5.2, 1.2), 10.0);
+    SimulatedScene scene = sceneWith(13, demoBox("Green 3", green, makeFigureEightMotion({1.5, 1.1}, 1.05, 0.6, 5.2, 1.2)), 10.0);
     scene.cameras[1].startOffsetS = 0.007;
     return {"figure-eight", "Lynx", "Green 3", "Figure eight", std::move(scene)};
 }
@@ -47,8 +50,7 @@ DemoTrial figureEight()
 DemoTrial stopAndGo()
 {
     SimulatedScene scene =
-        sceneWith(14, "Red 2", red,
-                  makeStopAndGoMotion({{0.45, 0.5}, {2.5, 0.55}, {2.4, 1.7}, {0.6, 1.65}}, 1.9, 0.7), 9.0);
+        sceneWith(14, demoBox("Red 2", red, makeStopAndGoMotion({{0.45, 0.5}, {2.5, 0.55}, {2.4, 1.7}, {0.6, 1.65}}, 1.9, 0.7)), 9.0);
     // Someone pressed the second camera's button half a second late.
     scene.cameras[1].startOffsetS = 0.512;
     return {"stop-and-go", "Falcon", "Red 2", "Stop and go", std::move(scene)};
@@ -66,8 +68,7 @@ Reflection besideRobot(const SimulatedScene &scene, double timeS, double duratio
 
 DemoTrial spikes()
 {
-    SimulatedScene scene =
-        sceneWith(15, "Blue 1", blue, makeFigureEightMotion({1.5, 1.1}, 0.95, 0.6, 6.0, 1.2), 10.0);
+    SimulatedScene scene = sceneWith(15, demoBox("Blue 1", blue, makeFigureEightMotion({1.5, 1.1}, 0.95, 0.6, 6.0, 1.2)), 10.0);
     scene.cameras[1].startOffsetS = 0.014;
     // The first and the third join the robot's outline in both pictures, and no view is left to trust; the
     // second one is seen by one camera alone, and the last lies where no robot is.
@@ -118,6 +119,7 @@ std::vector<DemoTrial> demoTrials()
     std::vector<DemoTrial> trials;
     trials.push_back(straight());
     trials.push_back(circle());
+    trials.push_back(circleWithRover());
     trials.push_back(figureEight());
     trials.push_back(stopAndGo());
     trials.push_back(spikes());

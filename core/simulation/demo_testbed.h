@@ -23,8 +23,8 @@ struct DemoTrial
     std::string trial, team, robot, task;
     SimulatedScene scene;
 };
-/// The demo's class: three teams, each with a robot of its own colour; straight line, circle, figure eight,
-/// stop-and-go; one trial with reflections that make spikes. Each lasts 6 to 10 s.
+/// The demo's class: four teams, three with a box of its own colour and one with a wheeled robot without a colour; straight line, circle (twice),
+/// figure eight, stop-and-go; one trial with reflections that make spikes. Each lasts 6 to 10 s.
 std::vector<DemoTrial> demoTrials();
 
 } // namespace odo

@@ -48,6 +48,21 @@ JobControl part(const JobControl &whole, double from, double to)
     return control;
 }
 
+/// What the project is given of a robot: colour and size of a box, nothing of a robot of parts, which is one of any look.
+RobotRecord recordOf(const SimulatedRobot &simulated)
+{
+    RobotRecord robot;
+    robot.name = simulated.name;
+    if (!simulated.parts.empty())
+        return robot;
+    robot.colour = simulated.colour;
+    robot.heightMode = RobotRecord::Height::Told;
+    robot.heightM = simulated.heightM;
+    robot.lengthM = simulated.lengthM;
+    robot.widthM = simulated.widthM;
+    return robot;
+}
+
 class DemoMaker
 {
 public:
@@ -180,14 +195,7 @@ private:
         for (const SimulatedRobot &simulated : trial.scene.robots) {
             if (m_project.robots().find(simulated.name))
                 continue;
-            RobotRecord robot;
-            robot.name = simulated.name;
-            robot.colour = simulated.colour;
-            robot.heightMode = RobotRecord::Height::Told;
-            robot.heightM = simulated.heightM;
-            robot.lengthM = simulated.lengthM;
-            robot.widthM = simulated.widthM;
-            if (auto added = m_project.robots().add(robot); !added)
+            if (auto added = m_project.robots().add(recordOf(simulated)); !added)
                 return tl::unexpected(added.error());
         }
         if (!m_project.teams().find(trial.team)) {

@@ -117,6 +117,26 @@ private Q_SLOTS:
         }
     }
 
+    void theRoverWithoutAColourIsMeasured()
+    {
+        const ProgramRun track = runProgram({QStringLiteral("track"), m_project, QStringLiteral("circle with rover"), QStringLiteral("--json")});
+        QVERIFY2(track.exitStatus == 0, track.err);
+        const QJsonObject tracked = track.json().value(QStringLiteral("robots")).toObject().value(QStringLiteral("Rover 4")).toObject();
+        QCOMPARE(tracked.value(QStringLiteral("look")).toString(), QStringLiteral("any"));
+        QCOMPARE(tracked.value(QStringLiteral("tracked")).toDouble(), tracked.value(QStringLiteral("frames")).toDouble());
+        const QJsonObject rover = runProgram({QStringLiteral("show"), m_project, QStringLiteral("circle with rover"), QStringLiteral("--json")})
+                                      .json()
+                                      .value(QStringLiteral("robots"))
+                                      .toObject()
+                                      .value(QStringLiteral("Rover 4"))
+                                      .toObject();
+        const QJsonObject truth = rover.value(QStringLiteral("truth")).toObject();
+        // What docs/accuracy.md demands of robots of any look, and has of all but the hardest scenes.
+        QVERIFY(truth.value(QStringLiteral("position_rms_mm")).toDouble(1e9) <= 5);
+        QVERIFY(truth.value(QStringLiteral("inside_95_x")).toDouble() >= 0.9 && truth.value(QStringLiteral("inside_95_y")).toDouble() >= 0.9);
+        QVERIFY(rover.value(QStringLiteral("spikes")).toArray().isEmpty());
+    }
+
     void reflectionsThatJoinTheOutlineAreFlagged()
     {
         // Seen by both cameras from 3.25 to 3.34 s and from 7.88 to 7.96 s: two to four frames each. Nothing

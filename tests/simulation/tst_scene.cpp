@@ -102,10 +102,12 @@ private Q_SLOTS:
         std::set<std::string> teams;
         double topSpeed = 0;
         bool hasReflections = false;
+        int ofParts = 0;
         for (const DemoTrial &trial : trials) {
             const SimulatedScene &scene = trial.scene;
             teams.insert(trial.team);
             hasReflections = hasReflections || !scene.reflections.empty();
+            ofParts += !scene.robots.front().parts.empty();
             QVERIFY(scene.durationS >= 6 && scene.durationS <= 10);
             QCOMPARE(scene.robots.front().name, trial.robot);
             for (double t = 0; t <= scene.durationS; t += 0.02) {
@@ -116,7 +118,8 @@ private Q_SLOTS:
             }
         }
         QVERIFY(trials.size() >= 5);
-        QCOMPARE(teams.size(), 3u);
+        QCOMPARE(teams.size(), 4u);
+        QCOMPARE(ofParts, 1);
         QVERIFY(hasReflections);
         QVERIFY(topSpeed > 1.5 && topSpeed < 2.5);
     }

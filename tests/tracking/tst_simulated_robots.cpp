@@ -5,6 +5,7 @@
 #include "core/tracking/colour_tracker.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 
 using namespace odo;
@@ -44,6 +45,12 @@ Vector2d silhouetteCentre(const SimulatedScene &scene, int camera, std::int64_t 
     return moment / area;
 }
 
+DemoTrial demoTrial(const std::string &name)
+{
+    const std::vector<DemoTrial> trials = demoTrials();
+    return *std::ranges::find(trials, name, &DemoTrial::trial);
+}
+
 } // namespace
 
 /// The tracker on the demo's scenes: box robots with shaded sides, blur, noise, a textured floor, two oblique
@@ -61,20 +68,19 @@ private Q_SLOTS:
 
 void TestSimulatedRobots::centreOfTheSilhouette_data()
 {
-    QTest::addColumn<int>("trial");
+    QTest::addColumn<std::string>("trial");
     QTest::addColumn<int>("camera");
-    for (int trial = 0; trial < 4; ++trial) {
+    for (const char *trial : {"straight", "circle", "figure-eight", "stop-and-go"}) {
         for (int camera = 0; camera < 2; ++camera)
-            QTest::addRow("%s, %d", demoTrials()[std::size_t(trial)].trial.c_str(), camera)
-                << trial << camera;
+            QTest::addRow("%s, %d", trial, camera) << std::string(trial) << camera;
     }
 }
 
 void TestSimulatedRobots::centreOfTheSilhouette()
 {
-    QFETCH(int, trial);
+    QFETCH(std::string, trial);
     QFETCH(int, camera);
-    const DemoTrial demo = demoTrials()[std::size_t(trial)];
+    const DemoTrial demo = demoTrial(trial);
     const auto tracker = ColourTracker::create({{demo.robot, demo.scene.robots.front().colour}});
     QVERIFY(tracker);
     SceneRenderer renderer(demo.scene, camera);
@@ -111,7 +117,7 @@ void TestSimulatedRobots::reflectionsLowerTheScore_data()
 void TestSimulatedRobots::reflectionsLowerTheScore()
 {
     QFETCH(int, camera);
-    const DemoTrial demo = demoTrials()[4];
+    const DemoTrial demo = demoTrial("figure-eight with reflections");
     const auto tracker = ColourTracker::create({{demo.robot, demo.scene.robots.front().colour}});
     QVERIFY(tracker);
     SceneRenderer renderer(demo.scene, camera);

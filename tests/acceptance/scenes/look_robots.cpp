@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/acceptance/scenes/look_robots.h"
 
-#include <algorithm>
+#include "core/simulation/wheeled_body.h"
+
 #include <cassert>
 
 namespace odo::test {
@@ -14,19 +15,10 @@ using Parts = std::vector<RobotPart>;
 constexpr RgbColour black{28, 28, 30}, white{238, 238, 235}, grey{120, 120, 122}, asFloor{182, 177, 166}, paintRed{200, 35, 40}, yellow{215, 190, 40}, deepGreen{50, 140, 60},
     deepBlue{30, 60, 150}, board{20, 90, 60}, skin{205, 160, 135};
 
-/// A wheel whose middle is at x, y; it stands on the floor.
-RobotPart wheel(double x, double y, double radiusM, double widthM)
-{
-    return {S::Wheel, black, {x, y, radiusM}, {2 * radiusM, widthM, 2 * radiusM}};
-}
-
-/// A body with four black wheels: middles of their axles at ±x, ±y.
+/// A body with four black wheels.
 Parts onWheels(Parts parts, double x, double y, double radiusM, double widthM)
 {
-    for (const double atX : {x, -x})
-        for (const double atY : {y, -y})
-            parts.push_back(wheel(atX, atY, radiusM, widthM));
-    return parts;
+    return onFourWheels(std::move(parts), black, x, y, radiusM, widthM);
 }
 
 Parts chassis(RgbColour colour)
@@ -38,8 +30,8 @@ Parts buggy()
 {
     return {{S::Box, paintRed, {0, 0, 0.034}, {0.21, 0.13, 0.032}},
             {S::Box, deepBlue, {-0.03, 0, 0.072}, {0.11, 0.10, 0.044}},
-            wheel(-0.055, 0.08, 0.035, 0.03),
-            wheel(-0.055, -0.08, 0.035, 0.03),
+            wheelOnFloor(black, -0.055, 0.08, 0.035, 0.03),
+            wheelOnFloor(black, -0.055, -0.08, 0.035, 0.03),
             {S::Sphere, grey, {0.08, 0, 0.009}, {0.018, 0.018, 0.018}}};
 }
 
@@ -97,32 +89,17 @@ Parts partsOf(Look look)
     return {};
 }
 
-SimulatedRobot bodyOf(std::string name, Parts parts, std::shared_ptr<const Motion> motion)
-{
-    SimulatedRobot body;
-    body.name = std::move(name);
-    body.motion = std::move(motion);
-    Eigen::Vector3d upper = Eigen::Vector3d::Zero();
-    for (const RobotPart &part : parts)
-        upper = upper.cwiseMax(part.upper());
-    body.lengthM = 2 * upper.x(); // the origin is the middle
-    body.widthM = 2 * upper.y();
-    body.heightM = upper.z();
-    body.parts = std::move(parts);
-    return body;
-}
-
 } // namespace
 
 SimulatedRobot robotOfLook(Look look, std::shared_ptr<const Motion> motion)
 {
-    return bodyOf("robot", partsOf(look), std::move(motion));
+    return robotOfParts("robot", partsOf(look), std::move(motion));
 }
 
 SimulatedRobot walkingPerson(std::shared_ptr<const Motion> motion)
 {
     const RgbColour trousers{40, 50, 90};
-    return bodyOf("person",
+    return robotOfParts("person",
                   {{S::Cylinder, trousers, {0, 0.1, 0.45}, {0.15, 0.15, 0.9}},
                    {S::Cylinder, trousers, {0, -0.1, 0.45}, {0.15, 0.15, 0.9}},
                    {S::Cylinder, {150, 60, 60}, {0, 0, 1.3}, {0.35, 0.35, 0.8}}},
@@ -131,12 +108,12 @@ SimulatedRobot walkingPerson(std::shared_ptr<const Motion> motion)
 
 SimulatedRobot reachingHand(std::shared_ptr<const Motion> motion)
 {
-    return bodyOf("hand", {{S::Box, skin, {0, 0, 0.1}, {0.18, 0.09, 0.05}}, {S::Box, {60, 70, 110}, {-0.99, 0, 0.16}, {1.8, 0.1, 0.1}}}, std::move(motion));
+    return robotOfParts("hand", {{S::Box, skin, {0, 0, 0.1}, {0.18, 0.09, 0.05}}, {S::Box, {60, 70, 110}, {-0.99, 0, 0.16}, {1.8, 0.1, 0.1}}}, std::move(motion));
 }
 
 SimulatedRobot rollingBall(std::shared_ptr<const Motion> motion)
 {
-    return bodyOf("ball", {{S::Sphere, {230, 120, 30}, {0, 0, 0.035}, {0.07, 0.07, 0.07}}}, std::move(motion));
+    return robotOfParts("ball", {{S::Sphere, {230, 120, 30}, {0, 0, 0.035}, {0.07, 0.07, 0.07}}}, std::move(motion));
 }
 
 } // namespace odo::test
