@@ -101,6 +101,13 @@ public:
         }
         return camera()->holdAutomatics();
     }
+    void showRobots(const std::vector<RobotAppearance> &robots) override
+    {
+        const std::lock_guard lock(m_mutex);
+        m_robots = robots;
+        if (m_camera)
+            m_camera->showRobots(robots);
+    }
     void releaseAutomatics() override
     {
         {
@@ -125,6 +132,14 @@ private:
         return fail(ErrorCode::Unavailable, m_why.what, m_why.why, m_why.advice);
     }
 
+    /// With the mutex held.
+    void adopt(std::unique_ptr<CameraSource> camera)
+    {
+        m_camera = std::move(camera);
+        if (m_robots)
+            m_camera->showRobots(*m_robots);
+    }
+
     /// The thread that opens it.
     void await()
     {
@@ -137,7 +152,7 @@ private:
             if (!opened)
                 m_why = opened.error();
             else if (!m_stopped)
-                m_camera = std::move(*opened);
+                adopt(std::move(*opened));
             m_wake.notify_all();
         }
         if (!m_camera || !m_isHoldMissed)
@@ -154,6 +169,7 @@ private:
     std::unique_ptr<CameraSource> m_camera; ///< set once
     Error m_why;
     bool m_stopped = false, m_isHoldMissed = false;
+    std::optional<std::vector<RobotAppearance>> m_robots; ///< that it is to show
     std::thread m_opener; ///< last, so that it begins when all is there
 };
 

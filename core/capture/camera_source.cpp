@@ -9,9 +9,9 @@
 #include "core/capture/v4l2/v4l2_address.h"
 #include "core/capture/v4l2/v4l2_source.h"
 #include "core/simulation/board_poses.h"
+#include "core/simulation/demo_robots.h"
 #include "core/simulation/demo_testbed.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <locale>
@@ -29,8 +29,7 @@ constexpr std::uint32_t seed = 1;
 SimulatedScene livingTestbed()
 {
     SimulatedScene scene = demoTestbed(seed);
-    const std::vector<DemoTrial> trials = demoTrials();
-    scene.robots = std::ranges::find(trials, std::string("circle"), &DemoTrial::trial)->scene.robots;
+    scene.robots = circlingRobots({});
     scene.durationS = 24 * 3600;
     return scene;
 }

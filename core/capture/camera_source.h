@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/simulation/robot_appearance.h"
 #include "core/video/frame.h"
 #include "core/video/recorded_times.h"
 
@@ -82,12 +83,14 @@ public:
     /// Gives them back: what holdAutomatics has turned off is on again, at once or when the camera is back. Does nothing
     /// where nothing is held.
     virtual void releaseAutomatics() {}
+    /// The robots that a simulated camera shows from its next frame on; none given: its own. Other cameras show what is before them.
+    virtual void showRobots(const std::vector<RobotAppearance> &) {}
 };
 
 /// "MJPG 1280×720 at 30 frames/s"; the coding may be left out.
 std::string formatWords(const std::string &coding, int widthPx, int heightPx, double framesPerSecond);
 
-/// By address: "sim:A" and "sim:B" are the cameras of the demo's testbed, "sim:A?board" the same while somebody holds a
+/// By address: "sim:A" and "sim:B" are the cameras of the demo's testbed, where robots drive circles (showRobots), "sim:A?board" the same while somebody holds a
 /// calibration board before it; "file:PATH" plays a video at its own pace; "v4l2:/dev/video0" is a USB camera (core/capture/v4l2/
 /// v4l2_address.h); "aravis:192.168.1.20" and "aravis:SERIAL" are GigE Vision and USB3 Vision cameras (core/capture/aravis/
 /// aravis_address.h), which take up to two seconds to open. Errors: NotFound for anything else, those of VideoReader, of

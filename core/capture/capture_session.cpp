@@ -61,6 +61,12 @@ const CameraDescription &CaptureSession::description(std::size_t view) const
     return m_views[view]->description();
 }
 
+void CaptureSession::showRobots(const std::vector<RobotAppearance> &robots)
+{
+    for (const auto &view : m_views)
+        view->showRobots(robots);
+}
+
 Result<std::vector<CameraControl>> CaptureSession::controls(std::size_t view) const
 {
     return m_views[view]->controls();

@@ -62,6 +62,9 @@ public:
     /// Unavailable.
     Result<std::vector<CameraControl>> controls(std::size_t view) const;
 
+    /// The robots that simulated cameras show from their next frames on (CameraSource::showRobots).
+    void showRobots(const std::vector<RobotAppearance> &robots);
+
     /// Every picture of a view, as it arrives, its time as it is known by then. capacity: how many may wait.
     std::shared_ptr<FrameFeed> subscribeFrames(std::size_t view, std::size_t capacity = 1);
 

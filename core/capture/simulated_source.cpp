@@ -2,9 +2,12 @@
 #include "core/capture/simulated_source.h"
 
 #include "core/base/steady_now.h"
+#include "core/simulation/demo_robots.h"
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
+#include <utility>
 
 namespace odo {
 
@@ -33,7 +36,8 @@ public:
         const double lateS = toSeconds(m_pace.lateness(fromSeconds(timeS)));
         m_sequence += static_cast<std::uint64_t>(std::max(0.0, lateS) * m_description.framesPerSecond);
         timeS = timeOf(m_sequence);
-        CapturedFrame captured{paint(timeS), m_sequence++, steadyNow()};
+        const Nanoseconds arrival = steadyNow(); // painting is this program's work, not the camera's
+        CapturedFrame captured{paint(timeS), m_sequence++, arrival};
         captured.frame.index = static_cast<std::int64_t>(captured.sequence);
         captured.frame.time = fromSeconds(timeS);
         return captured;
@@ -83,10 +87,23 @@ public:
         : SimulatedSource(std::move(description), pace, start), m_renderer(scene, camera), m_scene(std::move(scene)), m_camera(camera)
     {
     }
+    void showRobots(const std::vector<RobotAppearance> &robots) override
+    {
+        std::vector<SimulatedRobot> circling = circlingRobots(robots);
+        const std::lock_guard lock(m_mutex);
+        m_toShow = std::move(circling);
+    }
 
 private:
+    std::optional<std::vector<SimulatedRobot>> takeToShow()
+    {
+        const std::lock_guard lock(m_mutex);
+        return std::exchange(m_toShow, std::nullopt);
+    }
     Frame paint(double) override
     {
+        if (auto robots = takeToShow())
+            m_renderer.setRobots(std::move(*robots));
         return m_renderer.render(static_cast<std::int64_t>(sequence()) % m_renderer.frameCount());
     }
     double timeOf(std::uint64_t sequence) const override
@@ -100,6 +117,8 @@ private:
     SceneRenderer m_renderer;
     SimulatedScene m_scene;
     int m_camera;
+    std::mutex m_mutex;
+    std::optional<std::vector<SimulatedRobot>> m_toShow; ///< from the next frame on
 };
 
 } // namespace

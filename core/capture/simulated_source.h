@@ -12,7 +12,8 @@ namespace odo {
 std::unique_ptr<CameraSource> simulatedBoardSource(CameraDescription description, CameraModel camera, const SimulatedBoard &board,
                                                    std::vector<RigidTransform> cameraFromBoard, Pace::Kind pace);
 
-/// A camera of a scene, which begins anew when it is over. Cameras that are told one start see it at one time.
+/// A camera of a scene, which begins anew when it is over. Cameras that are told one start see it at one time. The robots that it is to show
+/// instead of the scene's drive as circlingRobots.
 std::unique_ptr<CameraSource> simulatedSceneSource(CameraDescription description, SimulatedScene scene, int camera,
                                                    Pace::Kind pace, Pace::Start start = std::nullopt);
 

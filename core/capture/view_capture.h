@@ -32,6 +32,7 @@ public:
 
     const CameraDescription &description() const { return m_camera->description(); }
     Result<std::vector<CameraControl>> controls() { return m_camera->controls(); }
+    void showRobots(const std::vector<RobotAppearance> &robots) { m_camera->showRobots(robots); }
     std::shared_ptr<BoundedQueue<TimedFrame>> subscribe(std::size_t capacity);
     ViewHealth health(Nanoseconds now) const;
     /// What its pictures take on the disk, as they come now; 0 while that is not known.

@@ -8,8 +8,6 @@
 namespace odo {
 namespace {
 
-constexpr RgbColour red{0xd7, 0x23, 0x28}, blue{0x1f, 0x6f, 0xd0}, green{0x1f, 0x9d, 0x4d};
-
 SimulatedScene sceneWith(std::uint32_t seed, SimulatedRobot robot, double durationS)
 {
     SimulatedScene scene = demoTestbed(seed);
@@ -20,14 +18,14 @@ SimulatedScene sceneWith(std::uint32_t seed, SimulatedRobot robot, double durati
 
 DemoTrial straight()
 {
-    SimulatedScene scene = sceneWith(11, demoBox("Red 2", red, makeLineMotion({0.35, 0.55}, {2.65, 1.6}, 1.0, 3.6)), 6.0);
+    SimulatedScene scene = sceneWith(11, demoRobot("Red 2", {.colour = demoRed}, makeLineMotion({0.35, 0.55}, {2.65, 1.6}, 1.0, 3.6)), 6.0);
     scene.cameras[1].startOffsetS = 0.011;
     return {"straight", "Falcon", "Red 2", "Straight line", std::move(scene)};
 }
 
 DemoTrial circle()
 {
-    SimulatedScene scene = sceneWith(12, demoBox("Blue 1", blue, makeCircleMotion({1.5, 1.1}, 0.75, 1.1, 1.5)), 8.0);
+    SimulatedScene scene = sceneWith(12, demoRobot("Blue 1", {.colour = demoBlue}, makeCircleMotion({1.5, 1.1}, 0.75, 1.1, 1.5)), 8.0);
     scene.cameras[1].startOffsetS = 0.019;
     return {"circle", "Otter", "Blue 1", "Circle", std::move(scene)};
 }
@@ -35,14 +33,14 @@ DemoTrial circle()
 /// A little wide of the task's circle.
 DemoTrial circleWithRover()
 {
-    SimulatedScene scene = sceneWith(16, demoRover("Rover 4", makeCircleMotion({1.5, 1.1}, 0.77, 0.95, 1.8)), 8.0);
+    SimulatedScene scene = sceneWith(16, demoRobot("Rover 4", {}, makeCircleMotion({1.5, 1.1}, 0.77, 0.95, 1.8)), 8.0);
     scene.cameras[1].startOffsetS = 0.016;
     return {"circle with rover", "Heron", "Rover 4", "Circle", std::move(scene)};
 }
 
 DemoTrial figureEight()
 {
-    SimulatedScene scene = sceneWith(13, demoBox("Green 3", green, makeFigureEightMotion({1.5, 1.1}, 1.05, 0.6, 5.2, 1.2)), 10.0);
+    SimulatedScene scene = sceneWith(13, demoRobot("Green 3", {.colour = demoGreen}, makeFigureEightMotion({1.5, 1.1}, 1.05, 0.6, 5.2, 1.2)), 10.0);
     scene.cameras[1].startOffsetS = 0.007;
     return {"figure-eight", "Lynx", "Green 3", "Figure eight", std::move(scene)};
 }
@@ -50,7 +48,7 @@ DemoTrial figureEight()
 DemoTrial stopAndGo()
 {
     SimulatedScene scene =
-        sceneWith(14, demoBox("Red 2", red, makeStopAndGoMotion({{0.45, 0.5}, {2.5, 0.55}, {2.4, 1.7}, {0.6, 1.65}}, 1.9, 0.7)), 9.0);
+        sceneWith(14, demoRobot("Red 2", {.colour = demoRed}, makeStopAndGoMotion({{0.45, 0.5}, {2.5, 0.55}, {2.4, 1.7}, {0.6, 1.65}}, 1.9, 0.7)), 9.0);
     // Someone pressed the second camera's button half a second late.
     scene.cameras[1].startOffsetS = 0.512;
     return {"stop-and-go", "Falcon", "Red 2", "Stop and go", std::move(scene)};
@@ -68,14 +66,14 @@ Reflection besideRobot(const SimulatedScene &scene, double timeS, double duratio
 
 DemoTrial spikes()
 {
-    SimulatedScene scene = sceneWith(15, demoBox("Blue 1", blue, makeFigureEightMotion({1.5, 1.1}, 0.95, 0.6, 6.0, 1.2)), 10.0);
+    SimulatedScene scene = sceneWith(15, demoRobot("Blue 1", {.colour = demoBlue}, makeFigureEightMotion({1.5, 1.1}, 0.95, 0.6, 6.0, 1.2)), 10.0);
     scene.cameras[1].startOffsetS = 0.014;
     // The first and the third join the robot's outline in both pictures, and no view is left to trust; the
     // second one is seen by one camera alone, and the last lies where no robot is.
     scene.reflections = {besideRobot(scene, 3.25, 0.09, {0.05, 0.16}, 0.13, -1),
                          besideRobot(scene, 5.10, 0.12, {-0.24, -0.02}, 0.12, 1),
                          besideRobot(scene, 7.88, 0.08, {0.16, -0.10}, 0.15, -1),
-                         {blue, {2.75, 0.25}, 0.09, 6.4, 0.25, 1}};
+                         {demoBlue, {2.75, 0.25}, 0.09, 6.4, 0.25, 1}};
     return {"figure-eight with reflections", "Otter", "Blue 1", "Figure eight", std::move(scene)};
 }
 

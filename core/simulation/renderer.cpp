@@ -41,11 +41,16 @@ std::vector<PixelRect> disjoint(const std::vector<PixelRect> &rects)
     return result;
 }
 
+void checkRobots([[maybe_unused]] const std::vector<SimulatedRobot> &robots)
+{
+    for ([[maybe_unused]] const SimulatedRobot &robot : robots)
+        assert(robot.motion && robot.lengthM > 0 && robot.widthM > 0 && robot.heightM > 0);
+}
+
 const SimulatedCamera &checkedCamera(const SimulatedScene &scene, int camera)
 {
     assert(camera >= 0 && camera < static_cast<int>(scene.cameras.size()));
-    for ([[maybe_unused]] const SimulatedRobot &robot : scene.robots)
-        assert(robot.motion && robot.lengthM > 0 && robot.widthM > 0 && robot.heightM > 0);
+    checkRobots(scene.robots);
     const SimulatedCamera &checked = scene.cameras[static_cast<std::size_t>(camera)];
     assert(checked.framesPerSecond > 0 && checked.sensor.exposureS >= 0 && checked.sensor.noiseSigma >= 0);
     return checked;
@@ -88,7 +93,7 @@ struct SceneRenderer::Impl
         }
     }
 
-    const SimulatedScene scene;
+    SimulatedScene scene;
     const int camera;
     const SimulatedCamera &settings;
     const PictureOutline outline;
@@ -107,6 +112,12 @@ SceneRenderer::~SceneRenderer() = default;
 std::int64_t SceneRenderer::frameCount() const
 {
     return odo::frameCount(m_impl->scene, m_impl->camera);
+}
+
+void SceneRenderer::setRobots(std::vector<SimulatedRobot> robots)
+{
+    checkRobots(robots);
+    m_impl->scene.robots = std::move(robots);
 }
 
 Frame SceneRenderer::render(std::int64_t frame)

@@ -22,6 +22,8 @@ public:
     SceneRenderer &operator=(const SceneRenderer &) = delete;
 
     std::int64_t frameCount() const;
+    /// The scene's robots are others from the next frame on.
+    void setRobots(std::vector<SimulatedRobot> robots);
     /// 4:2:0, limited range, BT.601, with the sensor's siting, noise and blur. The sensor is linear: an
     /// edge's pixels are the mean, in code values, of what they cover. About 2 ms for 1280×720.
     Frame render(std::int64_t frame);

@@ -8,6 +8,7 @@
 #include "core/workflow/line_up.h"
 #include "core/workflow/live_tracking.h"
 #include "core/workflow/registered_view.h"
+#include "core/workflow/robot_appearances.h"
 
 #include <algorithm>
 #include <chrono>
@@ -53,13 +54,14 @@ Result<void> checkSettings(Project &project, const RecordSettings &settings)
     return {};
 }
 
-Result<std::vector<std::unique_ptr<CameraSource>>> openCameras(const RecordSettings &settings)
+Result<std::vector<std::unique_ptr<CameraSource>>> openCameras(const RecordSettings &settings, const std::vector<RobotAppearance> &robots)
 {
     std::vector<std::unique_ptr<CameraSource>> cameras;
     for (const auto &[name, address] : settings.cameras) {
         auto source = openCamera(address);
         if (!source)
             return tl::unexpected(source.error());
+        (*source)->showRobots(robots);
         cameras.push_back(std::move(*source));
     }
     return cameras;
@@ -134,7 +136,7 @@ struct SentRobots
     std::unique_ptr<LiveBroadcast> broadcast;
 };
 
-Result<SentRobots> robotsToSend(Project &project, const TrialRecord &trial, const RecordSettings &settings)
+Result<SentRobots> robotsToSend(Project &project, Result<std::vector<RobotRecord>> robots, const RecordSettings &settings)
 {
     SentRobots sent;
     if (!settings.broadcast)
@@ -142,7 +144,6 @@ Result<SentRobots> robotsToSend(Project &project, const TrialRecord &trial, cons
     auto views = liveViews(project, settings);
     if (!views)
         return tl::unexpected(views.error());
-    auto robots = robotsToTrack(project, trial, settings.robots);
     if (!robots)
         return tl::unexpected(robots.error());
     auto broadcast = LiveBroadcast::create(*settings.broadcast, *robots);
@@ -220,10 +221,11 @@ Result<std::shared_ptr<LiveTrial>> recordTrial(Project &project, const RecordSet
     auto trial = trialOf(project, {.robots = settings.robots, .trial = settings.trial});
     if (!trial)
         return tl::unexpected(trial.error());
-    auto sent = robotsToSend(project, *trial, settings);
+    const auto robots = robotsToTrack(project, *trial, settings.robots); // none is an error only where they are sent
+    auto sent = robotsToSend(project, robots, settings);
     if (!sent)
         return tl::unexpected(sent.error());
-    auto cameras = openCameras(settings);
+    auto cameras = openCameras(settings, appearancesOf(robots.value_or(std::vector<RobotRecord>())));
     if (!cameras)
         return tl::unexpected(cameras.error());
     const Nanoseconds preRoll = fromSeconds(settings.preRollS);

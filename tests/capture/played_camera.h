@@ -65,6 +65,7 @@ public:
         m_wake.notify_all();
     }
     std::atomic<bool> held = false; ///< the camera's automatics
+    std::atomic<int> robotsToShow = -1; ///< as many were given last; -1: none ever were
 
     /// nullopt once stopped.
     std::optional<Step> next()
@@ -120,6 +121,7 @@ public:
         return m_kind.notHeld;
     }
     void releaseAutomatics() override { m_script->held = false; }
+    void showRobots(const std::vector<RobotAppearance> &robots) override { m_script->robotsToShow = int(robots.size()); }
     Result<CapturedFrame> next() override
     {
         for (;;) {

@@ -4,6 +4,7 @@
 
 #include <QTest>
 #include <atomic>
+#include <future>
 
 using namespace odo;
 using namespace odo::test;
@@ -23,6 +24,7 @@ private Q_SLOTS:
     void saysWhyItIsNotThere();
     void anAddressThatIsNotUnderstoodIsNotTriedAgain();
     void isStoppedWhileItWaits();
+    void showsTheRobotsThatItWasGivenBefore();
 };
 
 void TestAwaitedSource::isThatCameraAsSoonAsItIsThere()
@@ -78,6 +80,27 @@ void TestAwaitedSource::anAddressThatIsNotUnderstoodIsNotTriedAgain()
     QCOMPARE(source->next().error().code, ErrorCode::InvalidInput);
     QCOMPARE(source->next().error().message(), wrong.message());
     QCOMPARE(attempts.load(), 0);
+}
+
+void TestAwaitedSource::showsTheRobotsThatItWasGivenBefore()
+{
+    const auto script = std::make_shared<Script>();
+    script->pictures(1);
+    std::promise<void> mayOpen;
+    const auto source = awaitCamera(
+        "play:1", taken,
+        [script, may = mayOpen.get_future().share()]() -> Result<std::unique_ptr<CameraSource>> {
+            may.wait();
+            return std::make_unique<PlayedCamera>(script, PlayedCamera::Kind{});
+        },
+        1ms);
+    source->showRobots(std::vector<RobotAppearance>(2));
+    mayOpen.set_value();
+    while (!source->next()) {
+    }
+    QCOMPARE(script->robotsToShow.load(), 2);
+    source->showRobots(std::vector<RobotAppearance>(3));
+    QCOMPARE(script->robotsToShow.load(), 3);
 }
 
 void TestAwaitedSource::isStoppedWhileItWaits()

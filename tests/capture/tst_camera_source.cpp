@@ -3,6 +3,7 @@
 #include "core/capture/simulated_source.h"
 #include "core/calibration/board_detection.h"
 #include "core/simulation/board_poses.h"
+#include "core/simulation/demo_robots.h"
 #include "core/simulation/demo_testbed.h"
 
 #include <QTemporaryDir>
@@ -14,6 +15,21 @@ using namespace odo;
 namespace {
 
 const CameraModel lens = CameraModel::assumed(320, 180);
+
+struct Shown
+{
+    int y = 0, cb = 0, cr = 0;
+};
+
+/// What the next frame shows where a robot's side or top must be seen: a little above the middle of its footprint.
+Shown shownAt(CameraSource &source, const SimulatedScene &scene, const std::vector<SimulatedRobot> &robots)
+{
+    const Frame frame = source.next()->frame;
+    const Eigen::Vector2d at = robots.front().motion->at(frameSceneTime(scene, 0, frame.index)).position;
+    const Eigen::Vector2d pixel = *scene.cameras[0].view.pixelFromWorld({at.x(), at.y(), 0.05});
+    const int x = int(pixel.x()), y = int(pixel.y());
+    return {frame.y.at(x, y), frame.u.at(x / 2, y / 2), frame.v.at(x / 2, y / 2)};
+}
 
 std::unique_ptr<CameraSource> board(Pace::Kind pace)
 {
@@ -63,6 +79,36 @@ private Q_SLOTS:
         const auto source = simulatedSceneSource({"sim:A", "simulated", "A", 1280, 720, 30}, scene, 0, Pace::Kind::None);
         for (std::uint64_t i = 0; i < 8; ++i)
             QCOMPARE(source->next()->sequence, i);
+    }
+
+    void aSceneShowsTheRobotsThatAreChosen()
+    {
+        const SimulatedScene scene = demoTestbed(1); // in which there is none
+        const auto source = simulatedSceneSource({"sim:A", "simulated", "A", 1280, 720, 30}, scene, 0, Pace::Kind::None);
+        const Shown floor = shownAt(*source, scene, circlingRobots({}));
+        // By BT.601 a red has much of Cr, a blue of Cb; the rover is dark and grey.
+        for (const std::vector<RobotAppearance> &chosen :
+             {std::vector<RobotAppearance>{{.colour = demoRed}}, {{.colour = demoBlue}, {}}, {{}}, {{.colour = demoRed, .heightM = 0.2}}, {}}) {
+            source->showRobots(chosen);
+            const std::vector<SimulatedRobot> robots = circlingRobots(chosen);
+            for (std::size_t i = 0; i < robots.size(); ++i) {
+                const Shown shown = shownAt(*source, scene, {robots[i]});
+                const bool isRed = !chosen.empty() && chosen[i].colour == demoRed, isBlue = chosen.empty() || chosen[i].colour == demoBlue;
+                QVERIFY2((shown.cr > 160) == isRed && (shown.cb > 150) == isBlue, qPrintable(QStringLiteral("%1 %2 %3").arg(shown.y).arg(shown.cb).arg(shown.cr)));
+                if (!isRed && !isBlue)
+                    QVERIFY(shown.y < floor.y - 20 && std::abs(shown.cb - 128) < 30 && std::abs(shown.cr - 128) < 30);
+            }
+        }
+    }
+
+    void aBoardIsHeldWhateverRobotIsChosen()
+    {
+        const auto source = board(Pace::Kind::None), other = board(Pace::Kind::None);
+        source->showRobots({{.colour = demoRed}});
+        const auto a = source->next(), b = other->next();
+        QVERIFY(a && b);
+        for (int y = 0; y < a->frame.y.height; ++y)
+            QVERIFY(std::equal(a->frame.y.row(y), a->frame.y.row(y) + a->frame.y.width, b->frame.y.row(y)));
     }
 
     void stopWakesWhoWaits()

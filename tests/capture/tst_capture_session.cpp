@@ -31,6 +31,7 @@ private Q_SLOTS:
     void whatChangesByItselfIsHeldWhileRecording();
     void theRoomIsKnownBeforeAnythingIsRecorded();
     void lossesOfWhatIsMadeHereAreNotTheWires();
+    void allCamerasAreGivenTheRobotsToShow();
 
 private:
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -224,6 +225,14 @@ void TestCaptureSession::lossesOfWhatIsMadeHereAreNotTheWires()
     view.hasWire = comesByWire("simulated");
     QCOMPARE(healthWords(view), std::string("30.0 frames/s, 3 lost because this machine is too slow"));
     QVERIFY(!comesByWire("file") && comesByWire("v4l2") && comesByWire("aravis"));
+}
+
+void TestCaptureSession::allCamerasAreGivenTheRobotsToShow()
+{
+    TwoCameras cameras;
+    QVERIFY(cameras.a->robotsToShow == -1 && cameras.b->robotsToShow == -1);
+    cameras.session->showRobots(std::vector<RobotAppearance>(2));
+    QVERIFY(cameras.a->robotsToShow == 2 && cameras.b->robotsToShow == 2);
 }
 
 QTEST_GUILESS_MAIN(TestCaptureSession)

@@ -234,7 +234,7 @@ void TestManualPictures::recording()
     m_book->showPage(WindowMode::Record);
     auto &page = *m_book->window().findChild<RecordPage *>();
     auto *team = named<QComboBox>(page, "Team that is up");
-    team->setCurrentIndex(team->findText(QStringLiteral("Otter"))); // whose robot drives before the simulated cameras
+    team->setCurrentIndex(team->findText(QStringLiteral("Heron"))); // whose rover has no colour
     for (QComboBox *box : page.findChildren<QComboBox *>())
         if (const int circle = box->findText(QStringLiteral("Circle")); circle >= 0)
             box->setCurrentIndex(circle);

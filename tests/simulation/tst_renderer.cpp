@@ -212,6 +212,21 @@ private Q_SLOTS:
         QVERIFY(!sameBytes(a, SceneRenderer(other, 0).render(98)));
     }
 
+    void otherRobotsAreShownFromTheNextFrameOn()
+    {
+        SimulatedScene scene = demoTrials().front().scene;
+        SceneRenderer renderer(scene, 0);
+        const Frame before = renderer.render(70);
+        renderer.setRobots(demoTrials().back().scene.robots);
+        const Frame after = renderer.render(70);
+        scene.robots = demoTrials().back().scene.robots;
+        QVERIFY(sameBytes(after, SceneRenderer(scene, 0).render(70)));
+        QVERIFY(!sameBytes(after, before));
+        renderer.setRobots({});
+        scene.robots.clear();
+        QVERIFY(sameBytes(renderer.render(70), SceneRenderer(scene, 0).render(70)));
+    }
+
     void aDoubledFrameIsACopy()
     {
         SimulatedScene scene = demoTrials().front().scene;

@@ -225,6 +225,7 @@ void RecordPage::showFloor()
 void RecordPage::followRobots()
 {
     const std::vector<RobotRecord> robots = m_run->robots();
+    m_followedSince = steadyNow();
     m_board->setRobots(robots);
     if (m_control.phase() == RunPhase::Ready)
         m_control.prepare(m_run->settings(), m_run->task(), robots.size());
@@ -271,8 +272,10 @@ void RecordPage::obey(const std::optional<RunOrder> &order)
     showStart();
 }
 
+/// Nothing from before its robots were chosen belongs to the run.
 void RecordPage::begin(Nanoseconds from)
 {
+    from = std::max(from, m_followedSince);
     std::vector<std::string> names;
     for (const WantedCamera &camera : m_cameras.cameras())
         names.push_back(camera.name);

@@ -83,6 +83,7 @@ private:
     RunControl m_control;
     RunRecorder *m_recorder;
     SentPositions m_sent; ///< as was chosen when robots began to be followed
+    Nanoseconds m_followedSince{0}; ///< the robots that are chosen now
     bool m_isLineUpRead = false, m_isByPseudonym = false;
     int m_ticks = 0;
     QTimer m_timer;

@@ -5,6 +5,7 @@
 #include "core/capture/awaited_source.h"
 #include "core/video/picture.h"
 #include "core/workflow/call_later.h"
+#include "core/workflow/robot_appearances.h"
 #include "ui/views/screen_image.h"
 
 namespace odo {
@@ -90,6 +91,8 @@ Result<void> RunningCameras::follow(std::vector<RobotRecord> robots)
     m_robots = std::move(robots);
     if (!m_session)
         return {};
+    ++m_generation; // what is on its way was seen of other robots
+    m_session->showRobots(appearancesOf(m_robots));
     m_tracker.reset();
     m_broadcast.reset();
     Result<void> sending;

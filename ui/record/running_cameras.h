@@ -52,7 +52,7 @@ public:
     /// Ends those that run and opens these, one after the other; started() follows. One that cannot be opened
     /// runs all the same, without pictures, until it can.
     void start(std::vector<WantedCamera> cameras);
-    /// Follows these robots from now on, and when others are started. The Error is ColourTracker's; then none
+    /// Follows these robots from now on, and when others are started; simulated cameras show them. The Error is ColourTracker's; then none
     /// is followed. Or it is LiveBroadcast's; then they are followed, but not sent.
     Result<void> follow(std::vector<RobotRecord> robots);
     /// To where the places of those that are followed next are sent; nullopt: nowhere.

@@ -57,6 +57,8 @@ private Q_SLOTS:
     void cleanup();
     void recordsByKeyAndTheNextTeamIsUp();
     void theRobotStartsAndEndsTheRun();
+    void theRobotOfTheTeamThatIsUpDrives_data();
+    void theRobotOfTheTeamThatIsUpDrives();
     void placesAreSentWhereThatIsChosen();
     void aCountdownIsCalledOff();
     void closingWhileRecordingKeepsWhatThereIs();
@@ -206,6 +208,59 @@ void TestRecordPage::theRobotStartsAndEndsTheRun()
     QVERIFY(lap != analyses.front().profile.metrics.end());
     QVERIFY2(std::abs(lap->value - 2 * M_PI * test::circleRadiusM / 1.1) < 0.05,
              qPrintable(QString::number(lap->value)));
+}
+
+void TestRecordPage::theRobotOfTheTeamThatIsUpDrives_data()
+{
+    QTest::addColumn<RobotRecord>("robot");
+    RobotRecord red, rover;
+    red.name = "Red";
+    red.colour = RgbColour{0xd7, 0x23, 0x28};
+    red.heightMode = RobotRecord::Height::Told;
+    red.heightM = 0.12;
+    rover.name = "Rover"; // of any look
+    QTest::newRow("of another colour, taller") << red;
+    QTest::newRow("without a colour") << rover;
+}
+
+/// Nothing but blue robots drove before the simulated cameras once, whoever was up.
+void TestRecordPage::theRobotOfTheTeamThatIsUpDrives()
+{
+    QFETCH(RobotRecord, robot);
+    const auto added = m_project->robots().add(robot);
+    QVERIFY(added && m_project->teams().add({0, "Heron", "9A", "", {}, {added->id}}));
+    TeamRecord falcon = *m_project->teams().find("Falcon");
+    falcon.robots = {m_project->robots().all()->front().id};
+    QVERIFY(m_project->teams().set(falcon));
+    show();
+    waitForTheRobot(); // the blue one
+    part<RunCard>()->setRun(part<RunCard>()->lineUp().run("9A", "Heron"));
+    QCOMPARE(part<RunCard>()->robots().size(), std::size_t(1));
+    const auto circles = [this] {
+        const auto at = part<LiveMap>()->place(0);
+        return at && std::abs((*at - test::circleMiddle).norm() - test::circleRadiusM) < 0.03;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(circles(), startMs);
+    QTRY_VERIFY_WITH_TIMEOUT(button()->isEnabled(), startMs);
+    QTest::keyClick(m_page.get(), Qt::Key_F9);
+    QTRY_VERIFY_WITH_TIMEOUT(trials().size() == 1 && trials().front().durationS > 4.5, runMs); // once round
+    QTest::keyClick(m_page.get(), Qt::Key_F9);
+    const auto *result = part<RunResultCard>();
+    QTRY_VERIFY2_WITH_TIMEOUT(result->words().startsWith(QStringLiteral("Final")), qPrintable(result->words()), runMs);
+    const auto analyses = *m_project->analyses().current(trials().front().id);
+    QCOMPARE(analyses.size(), std::size_t(1));
+    const std::vector<ProfilePoint> &points = analyses.front().profile.points;
+    std::size_t found = 0;
+    double worst = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        found += points[i].valid;
+        if (points[i].valid)
+            worst = std::max(worst, std::abs((points[i].position - test::circleMiddle).norm() - test::circleRadiusM));
+    }
+    qInfo("%zu frames, found in %zu, at most %.1f mm beside the circle", points.size(), found, 1e3 * worst);
+    // It was recorded from when the team was chosen on; two frames may have been on their way.
+    QVERIFY(points.size() >= 45 && found + 2 >= points.size() && double(found) >= 0.98 * double(points.size())); // a busy machine paints fewer
+    QVERIFY(worst <= 0.01);
 }
 
 void TestRecordPage::placesAreSentWhereThatIsChosen()
