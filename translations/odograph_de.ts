@@ -12532,6 +12532,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>odo::RobotFootprint</name>
+    <message>
+        <source>The robot from above, heading to the right</source>
+        <translation>Der Roboter von oben, nach rechts gerichtet</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>No size given. Drawn as %1 × %2 mm</source>
+        <translation>Keine Größe angegeben. Gezeichnet als %1 × %2 mm</translation>
+    </message>
+</context>
+<context>
     <name>odo::RobotsDialog</name>
     <message>
         <source>found from the views</source>

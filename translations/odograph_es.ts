@@ -12532,6 +12532,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>odo::RobotFootprint</name>
+    <message>
+        <source>The robot from above, heading to the right</source>
+        <translation>El robot visto desde arriba, orientado a la derecha</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>No size given. Drawn as %1 × %2 mm</source>
+        <translation>Sin tamaño indicado. Dibujado como %1 × %2 mm</translation>
+    </message>
+</context>
+<context>
     <name>odo::RobotsDialog</name>
     <message>
         <source>found from the views</source>

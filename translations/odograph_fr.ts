@@ -12532,6 +12532,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>odo::RobotFootprint</name>
+    <message>
+        <source>The robot from above, heading to the right</source>
+        <translation>Le robot vu de dessus, orienté vers la droite</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>No size given. Drawn as %1 × %2 mm</source>
+        <translation>Taille non indiquée. Dessiné en %1 × %2 mm</translation>
+    </message>
+</context>
+<context>
     <name>odo::RobotsDialog</name>
     <message>
         <source>found from the views</source>

@@ -12513,6 +12513,21 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
+    <name>odo::RobotFootprint</name>
+    <message>
+        <source>The robot from above, heading to the right</source>
+        <translation>위에서 본 로봇, 오른쪽을 향함</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>No size given. Drawn as %1 × %2 mm</source>
+        <translation>크기가 지정되지 않음. %1 × %2 mm로 그림</translation>
+    </message>
+</context>
+<context>
     <name>odo::RobotsDialog</name>
     <message>
         <source>found from the views</source>

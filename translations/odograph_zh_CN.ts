@@ -12513,6 +12513,21 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
+    <name>odo::RobotFootprint</name>
+    <message>
+        <source>The robot from above, heading to the right</source>
+        <translation>从上方看的机器人，朝向右侧</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>No size given. Drawn as %1 × %2 mm</source>
+        <translation>未给出尺寸，按 %1 × %2 mm 绘制</translation>
+    </message>
+</context>
+<context>
     <name>odo::RobotsDialog</name>
     <message>
         <source>found from the views</source>

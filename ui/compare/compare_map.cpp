@@ -103,7 +103,7 @@ void CompareMap::paintRobots(QPainter &painter) const
         const ProfilePoint &point = profile.points[static_cast<std::size_t>(index)];
         drawMapRobot(painter, plan(),
                      {&m_scene->robot(run), point.position, point.sigmaXM, point.sigmaYM,
-                      drivenHeadingAt(profile, index), seriesColour(int(run), palette()), QString()},
+                      drivenHeadingAt(profile, index), seriesColour(int(run), palette()), QString(), m_scene->scenes[run]->referenceM(m_scene->robots[run])},
                      palette());
     }
 }

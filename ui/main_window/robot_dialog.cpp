@@ -3,6 +3,7 @@
 
 #include "ui/views/number_box.h"
 #include "ui/views/robot_colours.h"
+#include "ui/views/robot_footprint.h"
 #include "ui/views/theme.h"
 
 #include <QColorDialog>
@@ -25,7 +26,7 @@ constexpr double farthestReferenceMm = 2000;
 RobotDialog::RobotDialog(QList<PickableVideo> videos, QWidget *parent)
     : QDialog(parent), m_videos(std::move(videos)), m_name(new QLineEdit), m_look(new QComboBox), m_colourButton(new QPushButton),
       m_pickButton(new QPushButton(tr("From a &picture…"))),
-      m_drawing(new QComboBox), m_heightMode(new QComboBox), m_height(new NumberBox), m_forward(new NumberBox), m_left(new NumberBox),
+      m_drawing(new QComboBox), m_heightMode(new QComboBox), m_height(new NumberBox), m_forward(new NumberBox), m_left(new NumberBox), m_footprint(new RobotFootprint),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel))
 {
     setWindowTitle(tr("Add robot"));
@@ -70,6 +71,7 @@ RobotDialog::RobotDialog(QList<PickableVideo> videos, QWidget *parent)
     m_left->setAccessibleName(tr("Measured point, left of the robot's middle"));
     form->addRow(tr("&Measured point"), reference);
     qobject_cast<QLabel *>(form->labelForField(reference))->setBuddy(m_forward);
+    form->addRow(QString(), m_footprint);
     auto *layout = new QVBoxLayout(this);
     layout->addLayout(form);
     layout->addWidget(m_buttons);
@@ -78,6 +80,9 @@ RobotDialog::RobotDialog(QList<PickableVideo> videos, QWidget *parent)
     connect(m_pickButton, &QPushButton::clicked, this, &RobotDialog::pickColour);
     connect(m_name, &QLineEdit::textChanged, this, &RobotDialog::updateButtons);
     connect(m_heightMode, &QComboBox::currentIndexChanged, this, &RobotDialog::updateButtons);
+    for (QDoubleSpinBox *box : {m_forward, m_left})
+        connect(box, &QDoubleSpinBox::valueChanged, this, &RobotDialog::showFootprint);
+    connect(m_drawing, &QComboBox::currentIndexChanged, this, &RobotDialog::showFootprint);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     showColour();
@@ -112,6 +117,11 @@ void RobotDialog::showColour()
     m_colourButton->setText(QString::fromStdString(m_colour.toString()));
 }
 
+void RobotDialog::showFootprint()
+{
+    m_footprint->setRobot(robot());
+}
+
 void RobotDialog::updateButtons()
 {
     m_colourButton->setEnabled(m_look->currentData().toBool());
@@ -120,6 +130,7 @@ void RobotDialog::updateButtons()
     const bool hasHeading = m_heightMode->currentData().toInt() != static_cast<int>(RobotRecord::Height::Free);
     m_forward->setEnabled(hasHeading);
     m_left->setEnabled(hasHeading);
+    showFootprint();
     m_buttons->button(QDialogButtonBox::Ok)->setEnabled(!m_name->text().trimmed().isEmpty());
 }
 

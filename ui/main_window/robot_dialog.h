@@ -14,6 +14,8 @@ class QPushButton;
 
 namespace odo {
 
+class RobotFootprint;
+
 /// Asks what helps to find a robot: name, whether it is known by a colour, height; and in which colour it is drawn and which point of it is measured.
 class RobotDialog : public QDialog
 {
@@ -29,6 +31,7 @@ private:
     void chooseColour();
     void pickColour();
     void showColour();
+    void showFootprint();
     void updateButtons();
 
     QList<PickableVideo> m_videos;
@@ -40,6 +43,7 @@ private:
     QComboBox *m_drawing;
     QComboBox *m_heightMode;
     QDoubleSpinBox *m_height, *m_forward, *m_left;
+    RobotFootprint *m_footprint;
     QDialogButtonBox *m_buttons;
 };
 

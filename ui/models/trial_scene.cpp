@@ -170,6 +170,11 @@ double TrialScene::heightM(std::size_t robot) const
     return analysis ? analysis->profile.heightM : 0.0;
 }
 
+Eigen::Vector2d TrialScene::referenceM(std::size_t robot) const
+{
+    return imported.empty() ? robots[robot].robot.referenceM : Eigen::Vector2d::Zero();
+}
+
 Eigen::AlignedBox2d TrialScene::floorBounds() const
 {
     Eigen::AlignedBox2d box;

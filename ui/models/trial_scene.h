@@ -63,6 +63,8 @@ struct TrialScene
     const Observation *observationAt(std::size_t view, std::size_t robot, std::int64_t frame) const;
     /// The robot's height over the floor that was used for its positions; 0 before an analysis.
     double heightM(std::size_t robot) const;
+    /// What its positions are of: forward and left from its footprint's centre. The centre for imported tracks.
+    Eigen::Vector2d referenceM(std::size_t robot) const;
     /// The rectangle of the floor that matters: markers, the task and valid track points; a unit square where
     /// there are none.
     Eigen::AlignedBox2d floorBounds() const;

@@ -23,13 +23,19 @@ class MapPaintingWords
     Q_DECLARE_TR_FUNCTIONS(MapPainting)
 };
 
+/// The footprint is drawn as one, not as a dot.
+bool hasFootprint(const MapRobot &robot)
+{
+    return robot.headingRad && robot.robot->lengthM && robot.robot->widthM;
+}
+
 /// Heading to the right.
 QPainterPath robotSign(const MapRobot &robot, double scalePx)
 {
     QPainterPath sign;
     const double halfLength = std::max(dotRadius, robot.robot->lengthM.value_or(0) * scalePx / 2);
     const double halfWidth = std::max(dotRadius, robot.robot->widthM.value_or(0) * scalePx / 2);
-    if (robot.headingRad && robot.robot->lengthM && robot.robot->widthM)
+    if (hasFootprint(robot))
         sign.addRoundedRect(QRectF(-halfLength, -halfWidth, 2 * halfLength, 2 * halfWidth), 2, 2);
     else
         sign.addEllipse(QPointF(0, 0), dotRadius, dotRadius);
@@ -40,6 +46,18 @@ QPainterPath robotSign(const MapRobot &robot, double scalePx)
     point.lineTo(halfLength - 3, 5.5);
     point.closeSubpath();
     return sign.united(point);
+}
+
+/// Heading to the right, where the arm is longer if the heading is known. The halo keeps it apart from any footprint and floor.
+void drawReferenceCross(QPainter &painter, bool isHeadingKnown, const ThemeColours &colours)
+{
+    constexpr double arm = 5;
+    const double forwardArm = isHeadingKnown ? 9 : arm;
+    for (const QPen &pen : {QPen(colours.card, 4.5, Qt::SolidLine, Qt::RoundCap), QPen(colours.text, 1.8, Qt::SolidLine, Qt::RoundCap)}) {
+        painter.setPen(pen);
+        painter.drawLine(QPointF(-arm, 0), QPointF(forwardArm, 0));
+        painter.drawLine(QPointF(0, -arm), QPointF(0, arm));
+    }
 }
 
 } // namespace
@@ -132,7 +150,10 @@ void drawMapRobot(QPainter &painter, const MapPlan &plan, const MapRobot &robot,
     if (robot.headingRad)
         painter.rotate(-*robot.headingRad * 180 /
                        std::numbers::pi); // Y is up on the floor, down on the screen
-    painter.drawPath(robotSign(robot, scale));
+    const QPointF centre = hasFootprint(robot) ? scale * QPointF(-robot.referenceM.x(), robot.referenceM.y()) : QPointF();
+    painter.drawPath(robotSign(robot, scale).translated(centre));
+    if (!robot.referenceM.isZero())
+        drawReferenceCross(painter, robot.headingRad.has_value(), colours);
     painter.restore();
     if (robot.label.isEmpty())
         return;

@@ -46,9 +46,11 @@ struct MapRobot
     std::optional<double> headingRad; ///< empty: not known
     QColor colour;
     QString label; ///< may be empty
+    /// What the position is of: forward and left from the footprint's centre. Zero: of the centre itself.
+    Eigen::Vector2d referenceM = Eigen::Vector2d::Zero();
 };
 /// A haze of two σ, and the robot's footprint where it is known and large enough, else a dot, with a point
-/// towards the heading.
+/// towards the heading. A position that is not the centre's has a cross, beside whose place the footprint lies where the heading is known.
 void drawMapRobot(QPainter &painter, const MapPlan &plan, const MapRobot &robot, const QPalette &palette);
 
 } // namespace odo

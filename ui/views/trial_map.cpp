@@ -75,7 +75,8 @@ void drawTrialRobots(QPainter &painter, const MapPlan &plan, const TrialScene &s
                       drivenHeadingAt(profile, index),
                       alone ? drawnColour(shown.robot.drawingColour, ThemeColours::of(palette).spike, palette)
                             : seriesColour(places[robot], palette),
-                      {}};
+                      {},
+                      scene.referenceM(robot)};
         if (!alone)
             sign.label = QString::fromStdString(shown.robot.name);
         drawMapRobot(painter, plan, sign, palette);

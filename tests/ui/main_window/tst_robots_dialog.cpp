@@ -5,6 +5,7 @@
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/robots_dialog.h"
+#include "ui/views/robot_footprint.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -62,9 +63,12 @@ private Q_SLOTS:
                 for (QComboBox *choice : robot.findChildren<QComboBox *>())
                     if (choice->findText(QStringLiteral("sky blue")) >= 0)
                         choice->setCurrentText(QStringLiteral("sky blue"));
+                auto *footprint = robot.findChild<RobotFootprint *>();
+                const QImage before = footprint->grab().toImage();
                 for (QDoubleSpinBox *box : robot.findChildren<QDoubleSpinBox *>())
                     if (box->suffix() == QStringLiteral(" mm left"))
                         box->setValue(-12);
+                QVERIFY(footprint->grab().toImage() != before); // the point is marked
                 robot.findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok)->click();
             }});
             button(dialog, "&Edit…")->click();

@@ -100,6 +100,16 @@ private Q_SLOTS:
         const auto pixel = got.views[0].floorView->pixelFromWorld({1, 1, 0});
         QVERIFY((*expected - *pixel).norm() < 1e-6);
     }
+    void anImportedTrackIsOfTheCentre()
+    {
+        TrialScene scene;
+        scene.robots.resize(1);
+        QVERIFY(scene.referenceM(0).isZero());
+        scene.robots.front().robot.referenceM = {0.1, -0.02};
+        QVERIFY(scene.referenceM(0) == Eigen::Vector2d(0.1, -0.02));
+        scene.imported.resize(1);
+        QVERIFY(scene.referenceM(0).isZero()); // another program's point, which nobody knows
+    }
     void anUnknownTrialIsTold()
     {
         const auto scene = loadTrialScene(*m_project, "Trial 4");
