@@ -3,6 +3,7 @@
 
 #include "core/simulation/robot_body.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -219,13 +220,21 @@ private:
                   std::vector<BodyFace> (*facesOf)(const SimulatedRobot &, const MotionState &, const Eigen::Vector3d &), double weight) const
     {
         const double seenS = seenAtS(robot);
+        const MotionState seen = robot.motion->at(seenS);
+        // What hides what hardly changes while a body moves by its blur: it is found once, and moved.
+        const std::vector<BodyFace> faces = facesOf(robot, seen, m_view.cameraInWorld());
         const std::vector<double> times = subSteps(robot, seenS);
+        std::vector<Eigen::Vector3d> moved;
         for (const double time : times) {
             const MotionState state = robot.motion->at(time);
-            for (BodyFace &face : facesOf(robot, state, m_view.cameraInWorld())) {
-                for (Eigen::Vector3d &corner : face.corners)
+            const Eigen::Rotation2Dd turn(state.headingRad - seen.headingRad);
+            for (const BodyFace &face : faces) {
+                moved = face.corners;
+                for (Eigen::Vector3d &corner : moved) {
+                    corner.head<2>() = state.position + turn * (corner.head<2>() - seen.position);
                     corner = rolled(corner, state.velocity, seenS);
-                addPiece(thing, face.corners, face.colour, weight / static_cast<double>(times.size()));
+                }
+                addPiece(thing, moved, face.colour, weight / static_cast<double>(times.size()));
             }
         }
     }

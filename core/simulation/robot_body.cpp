@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace odo {
 namespace {
@@ -78,12 +79,21 @@ public:
         }
         return polygon;
     }
-    /// Points on the plane, at a distance of 1 m.
-    std::vector<Eigen::Vector3d> inSpace(const ConvexPolygon &polygon) const
+    /// A part of a flat face, back on it. Of one that is seen from its edge rounding must not lead beyond it.
+    std::vector<Eigen::Vector3d> onFace(const ConvexPolygon &polygon, const SolidFace &face) const
     {
+        double least = std::numeric_limits<double>::max(), most = 0;
+        for (const Eigen::Vector3d &corner : face.corners) {
+            least = std::min(least, m_ahead.dot(corner - m_camera));
+            most = std::max(most, m_ahead.dot(corner - m_camera));
+        }
+        const double away = face.normal.dot(face.corners.front() - m_camera);
         std::vector<Eigen::Vector3d> corners;
-        for (const Eigen::Vector2d &point : polygon)
-            corners.emplace_back(m_camera + m_ahead + point.x() * m_right + point.y() * m_up);
+        for (const Eigen::Vector2d &point : polygon) {
+            const Eigen::Vector3d along = m_ahead + point.x() * m_right + point.y() * m_up;
+            const double depth = away / face.normal.dot(along);
+            corners.emplace_back(m_camera + (depth >= least ? std::min(depth, most) : least) * along);
+        }
         return corners;
     }
 
@@ -105,15 +115,15 @@ std::vector<ConvexPolygon> leftOf(const ConvexPolygon &polygon, const std::vecto
 }
 
 /// What is left of a face behind what is nearer. One that is not hidden stays as it is.
-std::vector<std::vector<Eigen::Vector3d>> visiblePieces(const std::vector<Eigen::Vector3d> &face, const std::vector<ConvexPolygon> &nearer, const Sight &sight)
+std::vector<std::vector<Eigen::Vector3d>> visiblePieces(const SolidFace &face, const std::vector<ConvexPolygon> &nearer, const Sight &sight)
 {
-    const ConvexPolygon whole = sight.of(face);
+    const ConvexPolygon whole = sight.of(face.corners);
     const std::vector<ConvexPolygon> pieces = leftOf(whole, nearer);
     if (pieces.size() == 1 && pieces.front() == whole)
-        return {face};
+        return {face.corners};
     std::vector<std::vector<Eigen::Vector3d>> corners;
     for (const ConvexPolygon &piece : pieces)
-        corners.push_back(sight.inSpace(piece));
+        corners.push_back(sight.onFace(piece, face));
     return corners;
 }
 
@@ -163,7 +173,7 @@ std::vector<BodyFace> visibleFaces(const SimulatedRobot &robot, const MotionStat
             if (!face.isSeenFrom(camera))
                 continue;
             const Rgb colour = toRgb(part.colour) * shadeOf(toWorld.rotation * face.normal);
-            for (std::vector<Eigen::Vector3d> &corners : visiblePieces(face.corners, nearer, sight)) {
+            for (std::vector<Eigen::Vector3d> &corners : visiblePieces(face, nearer, sight)) {
                 for (Eigen::Vector3d &corner : corners)
                     corner = toWorld * corner;
                 faces.push_back({std::move(corners), colour});

@@ -2,6 +2,7 @@
 #include "core/simulation/robot_body.h"
 
 #include <QTest>
+#include <algorithm>
 #include <optional>
 #include <random>
 #include <set>
@@ -117,6 +118,14 @@ private Q_SLOTS:
         const Eigen::AngleAxisd turn(-heading, Vector::UnitZ());
         const Vector origin(state.position.x(), state.position.y(), 0);
         const auto met = [&](const Vector &target) { return metBy(robot.parts, turn * (from - origin), turn * (target - from)); };
+        for (const BodyFace &face : faces) { // what is cut lies on the body still, not before it; circles are polygons a little larger
+            for (const Vector &corner : face.corners) {
+                const Vector inRobot = turn * (corner - origin);
+                QVERIFY(std::ranges::any_of(robot.parts, [&](const RobotPart &part) {
+                    return (inRobot.array() > part.lower().array() - 5e-4).all() && (inRobot.array() < part.upper().array() + 5e-4).all();
+                }));
+            }
+        }
         std::mt19937 random(5);
         std::uniform_real_distribution<double> place(-0.2, 0.2), height(0, 0.2);
         std::set<int> seen;
