@@ -9,6 +9,7 @@ namespace odo::option {
 inline const QString adopt = QStringLiteral("adopt");
 inline const QString again = QStringLiteral("again");
 inline const QString align = QStringLiteral("align");
+inline const QString at = QStringLiteral("at");
 inline const QString board = QStringLiteral("board");
 inline const QString box = QStringLiteral("box");
 inline const QString camera = QStringLiteral("camera");

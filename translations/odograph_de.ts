@@ -6643,6 +6643,62 @@
         <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
         <translation>sehen Sie sich die Umrisse an und geben Sie die Farbe des Roboters an, oder halten Sie andere aus den Bildern</translation>
     </message>
+    <message>
+        <source>robot &apos;%1&apos; in view &apos;%2&apos;</source>
+        <translation>Roboter &apos;%1&apos; in Ansicht &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; pointed out in view &apos;%2&apos;</source>
+        <translation>Roboter &apos;%1&apos;, gezeigt in Ansicht &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>nothing stands out from the floor at %1,%2 at %3 s for some frames</source>
+        <translation>bei %1,%2 hebt sich zur Zeit %3 s einige Bilder lang nichts vom Boden ab</translation>
+    </message>
+    <message>
+        <source>point it out where all of it is seen and it moves</source>
+        <translation>zeigen Sie ihn dort, wo er ganz zu sehen ist und sich bewegt</translation>
+    </message>
+    <message>
+        <source>it is found by its colour</source>
+        <translation>er wird an seiner Farbe gefunden</translation>
+    </message>
+    <message>
+        <source>pick its colour again, or take the colour from it</source>
+        <translation>nehmen Sie seine Farbe neu auf, oder nehmen Sie sie ihm</translation>
+    </message>
+    <message>
+        <source>the trial has no such view</source>
+        <translation>der Versuch hat keine solche Ansicht</translation>
+    </message>
+    <message>
+        <source>name one of its cameras</source>
+        <translation>nennen Sie eine seiner Kameras</translation>
+    </message>
+    <message>
+        <source>the view has no picture at that time</source>
+        <translation>die Ansicht hat zu dieser Zeit kein Bild</translation>
+    </message>
+    <message>
+        <source>name a time within the trial, in seconds</source>
+        <translation>nennen Sie eine Zeit innerhalb des Versuchs, in Sekunden</translation>
+    </message>
+    <message>
+        <source>the place lies outside the picture</source>
+        <translation>die Stelle liegt außerhalb des Bildes</translation>
+    </message>
+    <message>
+        <source>name it in pixels from the picture&apos;s top left corner</source>
+        <translation>nennen Sie sie in Pixeln von der linken oberen Ecke des Bildes</translation>
+    </message>
+    <message>
+        <source>it is not tracked in trial &apos;%1&apos;</source>
+        <translation>er wird im Versuch &apos;%1&apos; nicht verfolgt</translation>
+    </message>
+    <message>
+        <source>name one of its robots</source>
+        <translation>nennen Sie einen seiner Roboter</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>
@@ -12547,6 +12603,25 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>odo::RobotPointing</name>
+    <message>
+        <source>&amp;Point out a robot</source>
+        <translation>Roboter &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>The wrong thing is outlined: click the robot in a picture, and the trial is tracked again (%1)</source>
+        <translation>Das Falsche ist umrandet: Klicken Sie den Roboter in einem Bild an, dann wird der Versuch neu verfolgt (%1)</translation>
+    </message>
+    <message>
+        <source>This is %1: track it again</source>
+        <translation>Das ist %1: neu verfolgen</translation>
+    </message>
+    <message>
+        <source>Find %1 without help</source>
+        <translation>%1 ohne Hilfe suchen</translation>
+    </message>
+</context>
+<context>
     <name>odo::RobotsDialog</name>
     <message>
         <source>found from the views</source>
@@ -14513,6 +14588,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Robot %1 is known now.</source>
         <translation>Roboter %1 ist jetzt bekannt.</translation>
+    </message>
+    <message>
+        <source>the trial</source>
+        <translation>der Versuch</translation>
     </message>
 </context>
 <context>

@@ -6643,6 +6643,62 @@
         <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
         <translation>mire los contornos e indique el color del robot, o deje a los demás fuera de las imágenes</translation>
     </message>
+    <message>
+        <source>robot &apos;%1&apos; in view &apos;%2&apos;</source>
+        <translation>robot &apos;%1&apos; en la vista &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; pointed out in view &apos;%2&apos;</source>
+        <translation>robot &apos;%1&apos; señalado en la vista &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>nothing stands out from the floor at %1,%2 at %3 s for some frames</source>
+        <translation>nada se distingue del suelo en %1,%2 a los %3 s durante algunas imágenes</translation>
+    </message>
+    <message>
+        <source>point it out where all of it is seen and it moves</source>
+        <translation>señálelo donde se vea entero y se mueva</translation>
+    </message>
+    <message>
+        <source>it is found by its colour</source>
+        <translation>se encuentra por su color</translation>
+    </message>
+    <message>
+        <source>pick its colour again, or take the colour from it</source>
+        <translation>vuelva a tomar su color, o quítele el color</translation>
+    </message>
+    <message>
+        <source>the trial has no such view</source>
+        <translation>el ensayo no tiene esa vista</translation>
+    </message>
+    <message>
+        <source>name one of its cameras</source>
+        <translation>indique una de sus cámaras</translation>
+    </message>
+    <message>
+        <source>the view has no picture at that time</source>
+        <translation>la vista no tiene ninguna imagen en ese momento</translation>
+    </message>
+    <message>
+        <source>name a time within the trial, in seconds</source>
+        <translation>indique un momento dentro del ensayo, en segundos</translation>
+    </message>
+    <message>
+        <source>the place lies outside the picture</source>
+        <translation>el lugar está fuera de la imagen</translation>
+    </message>
+    <message>
+        <source>name it in pixels from the picture&apos;s top left corner</source>
+        <translation>indíquelo en píxeles desde la esquina superior izquierda de la imagen</translation>
+    </message>
+    <message>
+        <source>it is not tracked in trial &apos;%1&apos;</source>
+        <translation>no se sigue en el ensayo &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>name one of its robots</source>
+        <translation>indique uno de sus robots</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>
@@ -12547,6 +12603,25 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     </message>
 </context>
 <context>
+    <name>odo::RobotPointing</name>
+    <message>
+        <source>&amp;Point out a robot</source>
+        <translation>&amp;Señalar un robot</translation>
+    </message>
+    <message>
+        <source>The wrong thing is outlined: click the robot in a picture, and the trial is tracked again (%1)</source>
+        <translation>Está marcado algo equivocado: haga clic en el robot en una imagen y el ensayo se seguirá de nuevo (%1)</translation>
+    </message>
+    <message>
+        <source>This is %1: track it again</source>
+        <translation>Este es %1: seguirlo de nuevo</translation>
+    </message>
+    <message>
+        <source>Find %1 without help</source>
+        <translation>Buscar %1 sin ayuda</translation>
+    </message>
+</context>
+<context>
     <name>odo::RobotsDialog</name>
     <message>
         <source>found from the views</source>
@@ -14513,6 +14588,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Robot %1 is known now.</source>
         <translation>Se añadió el robot %1.</translation>
+    </message>
+    <message>
+        <source>the trial</source>
+        <translation>el ensayo</translation>
     </message>
 </context>
 <context>

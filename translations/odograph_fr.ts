@@ -6643,6 +6643,62 @@
         <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
         <translation>regardez les contours, et indiquez la couleur du robot ou gardez les autres hors des images</translation>
     </message>
+    <message>
+        <source>robot &apos;%1&apos; in view &apos;%2&apos;</source>
+        <translation>robot &apos;%1&apos; dans la vue &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; pointed out in view &apos;%2&apos;</source>
+        <translation>robot &apos;%1&apos; montré dans la vue &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>nothing stands out from the floor at %1,%2 at %3 s for some frames</source>
+        <translation>rien ne se distingue du sol en %1,%2 à %3 s pendant quelques images</translation>
+    </message>
+    <message>
+        <source>point it out where all of it is seen and it moves</source>
+        <translation>montrez-le là où il est vu en entier et se déplace</translation>
+    </message>
+    <message>
+        <source>it is found by its colour</source>
+        <translation>il est trouvé par sa couleur</translation>
+    </message>
+    <message>
+        <source>pick its colour again, or take the colour from it</source>
+        <translation>reprenez sa couleur, ou retirez-la-lui</translation>
+    </message>
+    <message>
+        <source>the trial has no such view</source>
+        <translation>l’essai n’a pas cette vue</translation>
+    </message>
+    <message>
+        <source>name one of its cameras</source>
+        <translation>nommez l’une de ses caméras</translation>
+    </message>
+    <message>
+        <source>the view has no picture at that time</source>
+        <translation>la vue n’a pas d&apos;image à ce moment</translation>
+    </message>
+    <message>
+        <source>name a time within the trial, in seconds</source>
+        <translation>indiquez un moment de l’essai, en secondes</translation>
+    </message>
+    <message>
+        <source>the place lies outside the picture</source>
+        <translation>l’endroit est hors de l’image</translation>
+    </message>
+    <message>
+        <source>name it in pixels from the picture&apos;s top left corner</source>
+        <translation>indiquez-le en pixels depuis le coin supérieur gauche de l’image</translation>
+    </message>
+    <message>
+        <source>it is not tracked in trial &apos;%1&apos;</source>
+        <translation>il n’est pas suivi dans l’essai &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>name one of its robots</source>
+        <translation>nommez l&apos;un de ses robots</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>
@@ -12547,6 +12603,25 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>odo::RobotPointing</name>
+    <message>
+        <source>&amp;Point out a robot</source>
+        <translation>&amp;Montrer un robot</translation>
+    </message>
+    <message>
+        <source>The wrong thing is outlined: click the robot in a picture, and the trial is tracked again (%1)</source>
+        <translation>Le contour n’est pas celui du robot : cliquez sur le robot dans une image, et l’essai sera suivi de nouveau (%1)</translation>
+    </message>
+    <message>
+        <source>This is %1: track it again</source>
+        <translation>C’est %1 : le suivre de nouveau</translation>
+    </message>
+    <message>
+        <source>Find %1 without help</source>
+        <translation>Chercher %1 sans aide</translation>
+    </message>
+</context>
+<context>
     <name>odo::RobotsDialog</name>
     <message>
         <source>found from the views</source>
@@ -14513,6 +14588,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Robot %1 is known now.</source>
         <translation>Le robot %1 est maintenant connu.</translation>
+    </message>
+    <message>
+        <source>the trial</source>
+        <translation>l’essai</translation>
     </message>
 </context>
 <context>

@@ -6641,6 +6641,62 @@
         <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
         <translation>윤곽을 살펴보고, 로봇의 색을 지정하거나 다른 것이 영상에 들어오지 않게 하십시오</translation>
     </message>
+    <message>
+        <source>robot &apos;%1&apos; in view &apos;%2&apos;</source>
+        <translation>뷰 &apos;%2&apos;의 로봇 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; pointed out in view &apos;%2&apos;</source>
+        <translation>뷰 &apos;%2&apos;에서 가리킨 로봇 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>nothing stands out from the floor at %1,%2 at %3 s for some frames</source>
+        <translation>%3초에 %1,%2에는 몇 프레임 동안 바닥과 구별되는 것이 없습니다</translation>
+    </message>
+    <message>
+        <source>point it out where all of it is seen and it moves</source>
+        <translation>로봇 전체가 보이고 움직이는 곳에서 가리키십시오</translation>
+    </message>
+    <message>
+        <source>it is found by its colour</source>
+        <translation>색으로 찾는 로봇입니다</translation>
+    </message>
+    <message>
+        <source>pick its colour again, or take the colour from it</source>
+        <translation>색을 다시 고르거나 색을 없애십시오</translation>
+    </message>
+    <message>
+        <source>the trial has no such view</source>
+        <translation>시행에 그런 뷰가 없습니다</translation>
+    </message>
+    <message>
+        <source>name one of its cameras</source>
+        <translation>시행의 카메라 가운데 하나를 지정하십시오</translation>
+    </message>
+    <message>
+        <source>the view has no picture at that time</source>
+        <translation>그 시각에 뷰의 영상이 없습니다</translation>
+    </message>
+    <message>
+        <source>name a time within the trial, in seconds</source>
+        <translation>시행 안의 시각을 초로 지정하십시오</translation>
+    </message>
+    <message>
+        <source>the place lies outside the picture</source>
+        <translation>그 위치는 영상 밖에 있습니다</translation>
+    </message>
+    <message>
+        <source>name it in pixels from the picture&apos;s top left corner</source>
+        <translation>영상 왼쪽 위 모서리부터 픽셀로 지정하십시오</translation>
+    </message>
+    <message>
+        <source>it is not tracked in trial &apos;%1&apos;</source>
+        <translation>시행 &apos;%1&apos;에서 추적하지 않습니다</translation>
+    </message>
+    <message>
+        <source>name one of its robots</source>
+        <translation>시행의 로봇 가운데 하나를 지정하십시오</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>
@@ -12528,6 +12584,25 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
+    <name>odo::RobotPointing</name>
+    <message>
+        <source>&amp;Point out a robot</source>
+        <translation>로봇 가리키기(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The wrong thing is outlined: click the robot in a picture, and the trial is tracked again (%1)</source>
+        <translation>엉뚱한 것에 윤곽이 그려져 있습니다: 영상에서 로봇을 클릭하면 시행을 다시 추적합니다 (%1)</translation>
+    </message>
+    <message>
+        <source>This is %1: track it again</source>
+        <translation>이것이 %1입니다: 다시 추적</translation>
+    </message>
+    <message>
+        <source>Find %1 without help</source>
+        <translation>도움 없이 %1 찾기</translation>
+    </message>
+</context>
+<context>
     <name>odo::RobotsDialog</name>
     <message>
         <source>found from the views</source>
@@ -14480,6 +14555,10 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Robot %1 is known now.</source>
         <translation>로봇 %1을(를) 추가했습니다.</translation>
+    </message>
+    <message>
+        <source>the trial</source>
+        <translation>시행</translation>
     </message>
 </context>
 <context>

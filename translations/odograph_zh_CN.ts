@@ -6641,6 +6641,62 @@
         <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
         <translation>请查看轮廓，并指定机器人的颜色，或不要让其他东西进入画面</translation>
     </message>
+    <message>
+        <source>robot &apos;%1&apos; in view &apos;%2&apos;</source>
+        <translation>视图“%2”中的机器人“%1”</translation>
+    </message>
+    <message>
+        <source>robot &apos;%1&apos; pointed out in view &apos;%2&apos;</source>
+        <translation>在视图“%2”中指出的机器人“%1”</translation>
+    </message>
+    <message>
+        <source>nothing stands out from the floor at %1,%2 at %3 s for some frames</source>
+        <translation>在 %3 秒时，%1,%2 处有数帧没有任何东西与地面不同</translation>
+    </message>
+    <message>
+        <source>point it out where all of it is seen and it moves</source>
+        <translation>请在能看到整个机器人且它在移动的地方指出</translation>
+    </message>
+    <message>
+        <source>it is found by its colour</source>
+        <translation>它是按颜色找到的</translation>
+    </message>
+    <message>
+        <source>pick its colour again, or take the colour from it</source>
+        <translation>请重新选取它的颜色，或去掉它的颜色</translation>
+    </message>
+    <message>
+        <source>the trial has no such view</source>
+        <translation>该试验没有这个视图</translation>
+    </message>
+    <message>
+        <source>name one of its cameras</source>
+        <translation>请指定它的一台摄像机</translation>
+    </message>
+    <message>
+        <source>the view has no picture at that time</source>
+        <translation>该视图在那个时刻没有画面</translation>
+    </message>
+    <message>
+        <source>name a time within the trial, in seconds</source>
+        <translation>请指定试验之内的时刻，以秒为单位</translation>
+    </message>
+    <message>
+        <source>the place lies outside the picture</source>
+        <translation>该位置在画面之外</translation>
+    </message>
+    <message>
+        <source>name it in pixels from the picture&apos;s top left corner</source>
+        <translation>请以像素为单位、从画面左上角算起指定</translation>
+    </message>
+    <message>
+        <source>it is not tracked in trial &apos;%1&apos;</source>
+        <translation>试验“%1”中没有跟踪它</translation>
+    </message>
+    <message>
+        <source>name one of its robots</source>
+        <translation>请指定它的一个机器人</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>
@@ -12528,6 +12584,25 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
+    <name>odo::RobotPointing</name>
+    <message>
+        <source>&amp;Point out a robot</source>
+        <translation>指出机器人(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The wrong thing is outlined: click the robot in a picture, and the trial is tracked again (%1)</source>
+        <translation>轮廓画错了对象：请在画面中点击机器人，试验将重新跟踪（%1）</translation>
+    </message>
+    <message>
+        <source>This is %1: track it again</source>
+        <translation>这是 %1：重新跟踪</translation>
+    </message>
+    <message>
+        <source>Find %1 without help</source>
+        <translation>不借助提示查找 %1</translation>
+    </message>
+</context>
+<context>
     <name>odo::RobotsDialog</name>
     <message>
         <source>found from the views</source>
@@ -14480,6 +14555,10 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Robot %1 is known now.</source>
         <translation>机器人 %1 已添加。</translation>
+    </message>
+    <message>
+        <source>the trial</source>
+        <translation>试验</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include "app/json_answers.h"
 #include "app/option_names.h"
 #include "app/task_answers.h"
+#include "core/base/units.h"
 #include "core/workflow/track_job.h"
 
 namespace odo {
@@ -45,13 +46,40 @@ QString robotText(const TrackedRobot &robot)
         .arg(taskRemark(profile));
 }
 
+/// "R=VIEW,SECONDS,X,Y", or "R=none".
+Result<std::vector<RobotPointer>> pointersOf(const CommandCall &call)
+{
+    const auto pairs = call.pairs(option::at);
+    if (!pairs)
+        return tl::unexpected(pairs.error());
+    constexpr qsizetype figures = 3;
+    std::vector<RobotPointer> pointers;
+    for (const auto &[robot, where] : *pairs) {
+        RobotPointer &pointer = pointers.emplace_back(RobotPointer{robot});
+        if (where == "none")
+            continue;
+        const QStringList parts = QString::fromStdString(where).split(u',');
+        const qsizetype first = parts.size() - figures;
+        const bool isComplete = first > 0;
+        const auto figure = [&](qsizetype i) { return isComplete ? parseNumber(parts[first + i].toStdString()) : Result<double>(); };
+        const auto time = figure(0), x = figure(1), y = figure(2);
+        if (!isComplete || !time || !x || !y)
+            return call.wrongCall(QStringLiteral("--at '%1=%2' is not of the form R=VIEW,SECONDS,X,Y or R=none").arg(QString::fromStdString(robot), QString::fromStdString(where)));
+        pointer.view = parts.first(first).join(u',').toStdString();
+        pointer.timeS = *time;
+        pointer.pixel = {*x, *y};
+    }
+    return pointers;
+}
+
 } // namespace
 
 Result<void> runTrack(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call({QStringLiteral("track"),
-                      QStringLiteral("P.odo TRIAL [--robot R]... [--smoother rts|savgol|tracker|none] [--again] [--json]"), 2, 2,
+                      QStringLiteral("P.odo TRIAL [--robot R]... [--at R=VIEW,SECONDS,X,Y]... [--smoother rts|savgol|tracker|none] [--again] [--json]"), 2, 2,
                       {{option::robot, QStringLiteral("A robot to look for."), QStringLiteral("R")},
+                       {option::at, QStringLiteral("Where a robot without a colour is in a picture, in pixels, if the wrong thing was followed; R=none takes it back."), QStringLiteral("R=VIEW,SECONDS,X,Y")},
                        {option::smoother, QStringLiteral("How the curves are made."), QStringLiteral("NAME")},
                        {option::again, QStringLiteral("Analyse the stored observations anew, without decoding the videos.")}}},
                      cancel);
@@ -66,6 +94,12 @@ Result<void> runTrack(const QStringList &arguments, const CancelToken &cancel)
             return call.wrongCall(QStringLiteral("--smoother is rts, savgol, tracker or none"));
         settings.smoother = *known;
     }
+    auto pointers = pointersOf(call);
+    if (!pointers)
+        return tl::unexpected(pointers.error());
+    if (settings.again && !pointers->empty())
+        return call.wrongCall(QStringLiteral("--at needs the videos, and --again does not read them"));
+    settings.pointers = std::move(*pointers);
     const auto project = call.openProject(0, Project::Access::ReadWrite);
     if (!project)
         return tl::unexpected(project.error());

@@ -206,7 +206,6 @@ struct ImportedTrack
     double noiseM = 0; ///< read only: the root mean square σ of a coordinate
 };
 
-/// One computed result for one robot of a trial, with all that went into it.
 /// A stretch of a trial in which it could not be told which of several robots of one look a robot is, so that it may be another one from then on.
 struct DoubtfulName
 {
@@ -215,6 +214,16 @@ struct DoubtfulName
     std::vector<std::string> otherNames; ///< read only, joined
 };
 
+/// Where a person says that a robot of any look is in one picture of a trial. The tracker follows what is there.
+struct PointedOutRobot
+{
+    RecordId robot = 0, recording = 0;
+    std::int64_t frame = 0;                           ///< of the recording
+    Eigen::Vector2d pixel = Eigen::Vector2d::Zero(); ///< luma pixels
+    bool operator==(const PointedOutRobot &) const = default;
+};
+
+/// One computed result for one robot of a trial, with all that went into it.
 struct AnalysisRecord
 {
     RecordId id = 0;

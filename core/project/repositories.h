@@ -213,6 +213,9 @@ public:
     Result<void> setOverrules(RecordId trial, RecordId robot, const std::vector<Overrule> &overrules);
     /// In order of the frames.
     Result<std::vector<Overrule>> overrules(RecordId trial, RecordId robot) const;
+    /// Where a person says that robots are in the pictures of a trial; replaces what was said before. At most one a robot and recording.
+    Result<void> setPointedOut(RecordId trial, const std::vector<PointedOutRobot> &robots);
+    Result<std::vector<PointedOutRobot>> pointedOut(RecordId trial) const;
     /// A track that was measured elsewhere; a newer one joins the older ones. InvalidInput for one without samples, of times that do not
     /// rise, or with a position or covariance that is no number. samples: in place of those of the track.
     Result<void> addImportedTrack(const ImportedTrack &track, const SampleSource &samples = {});

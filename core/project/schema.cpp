@@ -341,6 +341,14 @@ std::vector<std::string> doubtfulNames()
     };
 }
 
+std::vector<std::string> pointedOutRobots()
+{
+    return {
+        "CREATE TABLE pointed_out_robot (recording_id INTEGER NOT NULL REFERENCES recording(id), robot_id INTEGER NOT NULL REFERENCES robot(id), "
+        "frame INTEGER NOT NULL, x_px REAL NOT NULL, y_px REAL NOT NULL, PRIMARY KEY (recording_id, robot_id))",
+    };
+}
+
 } // namespace
 
 std::vector<Migration> projectMigrations()
@@ -359,7 +367,8 @@ std::vector<Migration> projectMigrations()
             sqlMigration("members and robots of teams, zones and the archive of tasks, and imported tracks", teamsAndZones()),
             sqlMigration("digests of analyses, and long series in chunks", provedAnalyses()),
             sqlMigration("the point of a robot that is measured", referencePoints()),
-            sqlMigration("when robots of one look could not be told apart", doubtfulNames())};
+            sqlMigration("when robots of one look could not be told apart", doubtfulNames()),
+            sqlMigration("robots that a person pointed out in a picture", pointedOutRobots())};
 }
 
 const Migrator &projectMigrator()

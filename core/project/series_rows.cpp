@@ -88,6 +88,36 @@ Result<std::vector<Overrule>> TrialRepository::overrules(RecordId trial, RecordI
     return overrules;
 }
 
+Result<void> TrialRepository::setPointedOut(RecordId trial, const std::vector<PointedOutRobot> &robots)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        Statement remove(m_connection, QStringLiteral("DELETE FROM pointed_out_robot WHERE recording_id IN (SELECT id FROM recording WHERE trial_id=?)"));
+        if (auto done = remove.bind(trial).run(); !done)
+            return done;
+        for (const PointedOutRobot &one : robots) {
+            Statement insert(m_connection, QStringLiteral("INSERT INTO pointed_out_robot VALUES (?,?,?,?,?)"));
+            insert.bind(one.recording).bind(one.robot).bind(one.frame).bind(one.pixel.x()).bind(one.pixel.y());
+            if (auto done = insert.run(); !done)
+                return done;
+        }
+        return {};
+    });
+}
+
+Result<std::vector<PointedOutRobot>> TrialRepository::pointedOut(RecordId trial) const
+{
+    std::vector<PointedOutRobot> robots;
+    Statement select(m_connection, QStringLiteral("SELECT robot_id, recording_id, frame, x_px, y_px FROM pointed_out_robot JOIN recording ON "
+                                                  "recording.id = recording_id WHERE trial_id=? ORDER BY recording_id, robot_id"));
+    auto read = select.bind(trial).eachRow([&](const Statement &row) -> Result<void> {
+        robots.push_back({row.integer(0), row.integer(1), row.integer(2), {row.real(3), row.real(4)}});
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return robots;
+}
+
 namespace {
 
 tl::unexpected<Error> refusedTrack(const ImportedTrack &track, const std::string &why)

@@ -33,6 +33,8 @@ struct Observation
     /// Mean (Cb − 128, Cr − 128) of the region; zero where it was not measured. Tells robots of like colours apart
     /// right after the tracking; it is not stored.
     Eigen::Vector2d meanChroma = Eigen::Vector2d::Zero();
+    /// Something thin that reaches out of it was left out: a cable, a mast. Not stored either.
+    bool isTrimmed = false;
     /// How far the outline's convex hull reaches from the centre in each direction of the picture (core/geometry/support.h), px; empty where
     /// only its ellipse was measured.
     std::vector<float> supportPx = {};

@@ -22,21 +22,22 @@ bool needsBackground(const std::vector<TrackTarget> &targets)
 }
 
 Result<std::unique_ptr<RobotTracker>> RobotTracker::create(const std::vector<TrackTarget> &targets, std::optional<Background> background,
-                                                           const std::optional<FloorView> &floor)
+                                                           const std::optional<FloorView> &floor, std::size_t others)
 {
     std::unique_ptr<RobotTracker> tracker(new RobotTracker);
     tracker->m_floor = floor;
     std::vector<TrackTarget> coloured;
     for (std::size_t i = 0; i < targets.size(); ++i) {
         if (bySilhouette(targets[i]))
-            tracker->m_others.push_back(i);
+            tracker->m_whole.push_back(i);
         if (!isFoundByColour(targets[i]))
             continue;
         tracker->m_coloured.push_back(i);
         coloured.push_back(targets[i]);
     }
     tracker->m_targets = targets;
-    if (tracker->m_others.empty() || !coloured.empty()) {
+    tracker->m_besides = std::ranges::all_of(targets, isFoundByColour) ? 0 : others;
+    if (tracker->m_whole.empty() || !coloured.empty()) {
         auto byColour = ColourTracker::create(std::move(coloured));
         if (!byColour)
             return tl::unexpected(byColour.error());
@@ -51,27 +52,27 @@ void RobotTracker::setBackground(Background background)
 {
     if (m_bySilhouette)
         m_bySilhouette->setBackground(std::move(background));
-    else if (!m_others.empty())
-        m_bySilhouette = std::make_unique<SilhouetteTracker>(std::move(background), m_others.size(), m_floor);
+    else if (!m_whole.empty())
+        m_bySilhouette = std::make_unique<SilhouetteTracker>(std::move(background), m_whole.size(), m_floor, m_besides);
 }
 
 std::optional<PixelRect> RobotTracker::neededRegion(Nanoseconds time) const
 {
-    return m_others.empty() ? m_byColour->neededRegion(time) : std::nullopt;
+    return m_whole.empty() ? m_byColour->neededRegion(time) : std::nullopt;
 }
 
 std::vector<Observation> RobotTracker::track(const Frame &frame)
 {
     std::vector<Observation> coloured = m_byColour ? m_byColour->track(frame) : std::vector<Observation>();
-    if (m_others.empty())
+    if (m_whole.empty())
         return coloured;
     std::vector<Observation> all(m_targets.size()), elsewhere;
     stamp(all, frame, false);
-    std::vector<SilhouetteCue> cues(m_others.size());
+    std::vector<SilhouetteCue> cues(m_whole.size());
     for (std::size_t i = 0; i < m_coloured.size(); ++i) {
-        const auto own = std::ranges::find(m_others, m_coloured[i]);
-        if (own != m_others.end()) {
-            cues[std::size_t(own - m_others.begin())] = {&coloured[i], chromaOf(*m_targets[*own].colour, frame.format)};
+        const auto own = std::ranges::find(m_whole, m_coloured[i]);
+        if (own != m_whole.end()) {
+            cues[std::size_t(own - m_whole.begin())] = {&coloured[i], chromaOf(*m_targets[*own].colour, frame.format)};
         } else {
             all[m_coloured[i]] = coloured[i];
             elsewhere.push_back(coloured[i]);
@@ -79,8 +80,9 @@ std::vector<Observation> RobotTracker::track(const Frame &frame)
     }
     if (m_bySilhouette) {
         std::vector<Observation> whole = m_bySilhouette->track(frame, elsewhere, cues);
-        for (std::size_t i = 0; i < m_others.size(); ++i)
-            all[m_others[i]] = std::move(whole[i]);
+        for (std::size_t i = 0; i < m_whole.size(); ++i)
+            all[m_whole[i]] = std::move(whole[i]);
+        m_seenBesides.assign(std::make_move_iterator(whole.begin() + std::ptrdiff_t(m_whole.size())), std::make_move_iterator(whole.end()));
     }
     return all;
 }

@@ -17,9 +17,10 @@ class RobotTracker
 {
 public:
     /// background: of the view, without the robots; needed for robots of any look, which are found in no frame without one. Errors: those of
-    /// ColourTracker. floor: of a registered view, before which what is too large for a robot is none.
+    /// ColourTracker. floor: of a registered view, before which what is too large for a robot is none. others: how many things besides the robots of any
+    /// look are followed, for one of them may be the robot.
     static Result<std::unique_ptr<RobotTracker>> create(const std::vector<TrackTarget> &targets, std::optional<Background> background,
-                                                        const std::optional<FloorView> &floor = {});
+                                                        const std::optional<FloorView> &floor = {}, std::size_t others = 0);
 
     /// A first or a newer background of the same place.
     void setBackground(Background background);
@@ -28,6 +29,8 @@ public:
     std::optional<PixelRect> neededRegion(Nanoseconds time) const;
     /// One observation a target, in the order given.
     std::vector<Observation> track(const Frame &frame);
+    /// One observation of each other thing in the frame tracked last; none where no robot is of any look.
+    const std::vector<Observation> &others() const { return m_seenBesides; }
     /// As of ColourTracker; 0 for robots of any look.
     std::vector<double> sharesAlike() const;
 
@@ -36,7 +39,9 @@ private:
 
     std::unique_ptr<ColourTracker> m_byColour;
     std::unique_ptr<SilhouetteTracker> m_bySilhouette;
-    std::vector<std::size_t> m_coloured, m_others; ///< targets; one whose whole outline is wanted may be both
+    std::vector<std::size_t> m_coloured, m_whole; ///< targets; one whose whole outline is wanted may be both
+    std::size_t m_besides = 0; ///< other things to follow
+    std::vector<Observation> m_seenBesides;
     std::vector<TrackTarget> m_targets;
     std::optional<FloorView> m_floor;
 };

@@ -66,7 +66,7 @@ struct SilhouetteFinder::Impl
     int firstPiece = 0; ///< of the window's shadow pieces
 
     void takeRegions();
-    void measure(const cv::Mat1b &region, const cv::Rect &box, SeenSilhouette &silhouette) const;
+    void measure(const cv::Mat1b &region, const cv::Mat1b &cutAway, const cv::Rect &box, SeenSilhouette &silhouette) const;
 };
 
 bool SilhouetteFinder::Impl::fits(const Frame &frame) const
@@ -179,14 +179,15 @@ std::vector<Eigen::Vector2d> edgePoints(const cv::Mat1f &covered)
     return points;
 }
 
-/// Moments of a region's hull, from the part of each pixel near its edge that is covered.
-void SilhouetteFinder::Impl::measure(const cv::Mat1b &region, const cv::Rect &box, SeenSilhouette &silhouette) const
+/// Moments of a region's hull, from the part of each pixel near its edge that is covered; cutAway: what is there and no part of it.
+void SilhouetteFinder::Impl::measure(const cv::Mat1b &region, const cv::Mat1b &cutAway, const cv::Rect &box, SeenSilhouette &silhouette) const
 {
     const ComparedWindow &w = window;
     cv::Mat1b core, near;
     const cv::Mat1b disc = cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5});
     cv::erode(region, core, disc, {-1, -1}, 1, cv::BORDER_CONSTANT, 0);
     cv::dilate(region, near, disc);
+    near &= cutAway == 0;
     cv::Mat1b inner, soft; // where the edge is known by hue only, it is somewhere in a wider band
     cv::erode(region, inner, cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 9}), {-1, -1}, 1, cv::BORDER_CONSTANT, 0);
     soft = near & w.byHue & (inner == 0);
@@ -237,30 +238,33 @@ bool isGhost(const ComparedWindow &w, const std::vector<cv::Point> &outline)
     return behind > clearly * now;
 }
 
-/// Takes away what is thin and reaches far out of a region: cables, aerials and masts are no part of a body's form, and often move in it.
-void cutAppendages(cv::Mat1b &region, const std::vector<cv::Point> &outline)
+/// Takes away what is thin and reaches far out of a region, and gives it: cables, aerials and masts are no part of a body's form, and often move in it.
+cv::Mat1b cutAppendages(cv::Mat1b &region, const std::vector<cv::Point> &outline)
 {
+    cv::Mat1b cut = cv::Mat1b::zeros(region.size());
     constexpr double thin = 0.12, farOut = 0.25, leastHollow = 1.1; // of the side of a square of its area; of its hull's area
     std::vector<cv::Point> hull;
     cv::convexHull(outline, hull);
     const double area = cv::contourArea(outline), side = std::sqrt(area);
     const int width = int(thin * side) | 1;
     if (width < 3 || cv::contourArea(hull) < leastHollow * area)
-        return;
+        return cut;
     cv::Mat1b body;
     cv::morphologyEx(region, body, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_ELLIPSE, {width, width}));
     std::vector<cv::Point> points;
     cv::findNonZero(body, points);
     if (points.empty())
-        return;
+        return cut;
     cv::convexHull(points, hull);
     std::vector<std::vector<cv::Point>> rests;
     cv::findContours(region & (body == 0), rests, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
     for (std::size_t k = 0; k < rests.size(); ++k) {
         const bool isFar = std::ranges::any_of(rests[k], [&](const cv::Point &point) { return cv::pointPolygonTest(hull, cv::Point2f(point), true) < -farOut * side; });
         if (isFar)
-            cv::drawContours(region, rests, int(k), cv::Scalar(0), cv::FILLED);
+            cv::drawContours(cut, rests, int(k), cv::Scalar(1), cv::FILLED);
     }
+    region &= cut == 0;
+    return cut;
 }
 
 void SilhouetteFinder::Impl::takeRegions()
@@ -283,10 +287,11 @@ void SilhouetteFinder::Impl::takeRegions()
         const cv::Rect box = cv::boundingRect(outlines[k]);
         cv::Mat1b region = cv::Mat1b::zeros(taken.size());
         cv::drawContours(region, outlines, int(k), cv::Scalar(1), cv::FILLED);
-        cutAppendages(region, outlines[k]);
+        const cv::Mat1b cutAway = cutAppendages(region, outlines[k]);
         SeenSilhouette silhouette;
+        silhouette.isTrimmed = cv::countNonZero(cutAway) > 0;
         silhouette.box = {w.rect.x0 + box.x, w.rect.y0 + box.y, w.rect.x0 + box.x + box.width, w.rect.y0 + box.y + box.height};
-        measure(region, box, silhouette);
+        measure(region, cutAway, box, silhouette);
         if (silhouette.moments.areaPx2 < leastFragmentPx)
             continue;
         silhouette.shadowPiece = firstPiece + pieces(outlines[k].front());

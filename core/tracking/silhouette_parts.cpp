@@ -104,6 +104,7 @@ SeenSilhouette joined(const std::vector<SeenSilhouette> &seen, const std::vector
         points.insert(points.end(), one.hullPx.begin(), one.hullPx.end());
         whole.box = whole.box.united(one.box);
         whole.touchesBorder |= one.touchesBorder;
+        whole.isTrimmed |= one.isTrimmed;
         whole.meanChroma += one.moments.areaPx2 * one.meanChroma;
         whole.clearShare += one.moments.areaPx2 * one.clearShare;
         area += one.moments.areaPx2;

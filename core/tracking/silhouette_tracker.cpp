@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/silhouette_tracker.h"
 
+#include "core/geometry/support.h"
 #include "core/tracking/area_expectation.h"
 #include "core/tracking/duplicate_detector.h"
 #include "core/tracking/moment_ellipse.h"
@@ -23,6 +24,7 @@ constexpr int mostMisses = 15;    // frames
 constexpr double mostAlone = 1.15;     // of its usual area: what is larger and covers another robot's place shows both
 constexpr double mostLostRatio = 3;    // of the areas of a robot before and after it was lost
 constexpr double mostOfWhole = 0.5;    // of a whole's hull: the share of a part that is a body by itself
+constexpr double mostOfPart = 0.3;     // of a silhouette's area: what is larger is no part of it
 constexpr double mostAlike = 3;        // ratio of the areas of parts that are alike
 constexpr int mostBesideAlike = 10;    // frames, after which they are parts of one robot
 constexpr double scoreOfParts = 0.4;
@@ -56,6 +58,20 @@ double costOf(const Followed &robot, const SeenSilhouette &silhouette, double ti
     return std::hypot(away, std::min(size, 1.5));
 }
 
+/// What is a part of something is nothing besides it.
+bool isPartOf(const SeenSilhouette &part, const SeenSilhouette &whole)
+{
+    if (!whole.box.contains(part.box))
+        return false;
+    if (whole.regions > part.regions)
+        return true;
+    const Eigen::Vector2d away = part.moments.centrePx - whole.moments.centrePx;
+    for (std::size_t k = 0; k < whole.supportPx.size(); ++k)
+        if (supportDirection(k).dot(away) > double(whole.supportPx[k]))
+            return false;
+    return part.moments.areaPx2 < mostOfPart * whole.moments.areaPx2;
+}
+
 bool lies(const PixelRect &box, const Eigen::Vector2d &at)
 {
     return at.x() >= box.x0 && at.x() < box.x1 && at.y() >= box.y0 && at.y() < box.y1;
@@ -73,7 +89,8 @@ bool isMostly(const Chroma &mean, const Chroma &colour)
 struct SilhouetteTracker::Impl
 {
     SilhouetteFinder finder;
-    std::vector<Followed> robots;
+    std::vector<Followed> robots; ///< and what else is followed
+    std::size_t told = 0;         ///< how many of them robots are
     std::vector<Observation> last;
     DuplicateDetector duplicates;
     std::optional<FloorView> floor;
@@ -106,6 +123,7 @@ void SilhouetteTracker::Impl::accept(Followed &robot, const SeenSilhouette &silh
     observation.areaPx = areaPx;
     observation.supportPx = silhouette.supportPx;
     observation.meanChroma = silhouette.meanChroma;
+    observation.isTrimmed = silhouette.isTrimmed;
     if (silhouette.clearShare < leastFirstClear) { // the robot and its shadow look alike
         const double shift = shadowShift * robot.radiusPx();
         observation.centreCovariancePx2 += Eigen::Matrix2d::Identity() * shift * shift;
@@ -126,7 +144,7 @@ void SilhouetteTracker::Impl::addWholes(std::vector<SeenSilhouette> &seen)
 {
     wholes.clear();
     besides.clear();
-    if (robots.size() > 1) // whose parts stand beside those of others
+    if (told > 1) // whose parts stand beside those of others
         return;
     for (const std::vector<std::size_t> &parts : groupsOfParts(seen)) {
         SeenSilhouette whole = joined(seen, parts);
@@ -185,6 +203,7 @@ std::vector<bool> SilhouetteTracker::Impl::leaveTogether(std::vector<SeenSilhoue
             within.push_back(r);
             largestPx = std::max(largestPx, robots[r].area.px());
         }
+        std::erase_if(within, [&](std::size_t r) { return robots[r].area.px() < mostOfPart * largestPx; }); // it was a part of another
         if (within.size() < 2 || one.moments.areaPx2 < mostAlone * largestPx)
             return false;
         for (const std::size_t robot : within) {
@@ -204,8 +223,7 @@ void SilhouetteTracker::Impl::assign(const Frame &frame, std::vector<SeenSilhoue
         seen.erase(seen.begin() + std::ptrdiff_t(silhouette));
         takeWholeInstead(robots[robot], taken);
         doubtPart(robots[robot], taken);
-        // Its parts, and what it is a part of, are no robots besides.
-        std::erase_if(seen, [&taken](const SeenSilhouette &one) { return taken.box.contains(one.box) || one.box.contains(taken.box); });
+        std::erase_if(seen, [&taken](const SeenSilhouette &one) { return isPartOf(one, taken) || isPartOf(taken, one); });
         accept(robots[robot], taken, timeS, last[robot]);
     };
     const auto cueOf = [cues](std::size_t robot) { return robot < cues.size() ? cues[robot] : SilhouetteCue(); };
@@ -240,6 +258,8 @@ void SilhouetteTracker::Impl::assign(const Frame &frame, std::vector<SeenSilhoue
         if (robots[r].isFollowing() && ++robots[r].missed <= mostMisses)
             continue;
         robots[r].missed = -1;
+        if (r >= told) // any other may be next
+            robots[r] = Followed();
         const auto fits = [&](const SeenSilhouette &one) {
             const double ratio = robots[r].area.px() > 0 ? one.moments.areaPx2 / robots[r].area.px() : 1;
             if (cueOf(r).coloured && !isMostly(one.meanChroma, cueOf(r).colour))
@@ -251,8 +271,8 @@ void SilhouetteTracker::Impl::assign(const Frame &frame, std::vector<SeenSilhoue
     }
 }
 
-SilhouetteTracker::SilhouetteTracker(Background background, std::size_t robots, std::optional<FloorView> floor)
-    : m_impl(new Impl{SilhouetteFinder(std::move(background)), std::vector<Followed>(robots), {}, {}, std::move(floor), {}, {}})
+SilhouetteTracker::SilhouetteTracker(Background background, std::size_t robots, std::optional<FloorView> floor, std::size_t others)
+    : m_impl(new Impl{SilhouetteFinder(std::move(background)), std::vector<Followed>(robots + others), robots, {}, {}, std::move(floor), {}, {}})
 {
 }
 
@@ -265,7 +285,7 @@ void SilhouetteTracker::setBackground(Background background)
         robot.missed = robot.isFollowing() ? mostMisses : robot.missed;
 }
 
-std::vector<Observation> SilhouetteTracker::track(const Frame &frame, std::span<const Observation> others, std::span<const SilhouetteCue> cues)
+std::vector<Observation> SilhouetteTracker::track(const Frame &frame, std::span<const Observation> elsewhere, std::span<const SilhouetteCue> cues)
 {
     Impl &d = *m_impl;
     const bool repeats = d.duplicates.repeatsTheLast(frame);
@@ -276,7 +296,7 @@ std::vector<Observation> SilhouetteTracker::track(const Frame &frame, std::span<
             std::erase_if(seen, [&](const SeenSilhouette &one) {
                 if (d.floor && isTooLargeForRobot(*d.floor, one.box))
                     return true;
-                return std::ranges::any_of(others, [&](const Observation &other) { return other.found && lies(one.box, other.ellipse.centrePx); });
+                return std::ranges::any_of(elsewhere, [&](const Observation &other) { return other.found && lies(one.box, other.ellipse.centrePx); });
             });
             d.addWholes(seen);
             d.assign(frame, std::move(seen), cues);

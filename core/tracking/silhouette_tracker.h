@@ -25,18 +25,19 @@ struct SilhouetteCue
 class SilhouetteTracker
 {
 public:
-    /// floor: of a registered view, before which what is too large for a robot is none.
-    SilhouetteTracker(Background background, std::size_t robots, std::optional<FloorView> floor = {});
+    /// floor: of a registered view, before which what is too large for a robot is none. others: how many things besides are followed alike,
+    /// for one of them may be the robot.
+    SilhouetteTracker(Background background, std::size_t robots, std::optional<FloorView> floor = {}, std::size_t others = 0);
     ~SilhouetteTracker();
     SilhouetteTracker(const SilhouetteTracker &) = delete;
     SilhouetteTracker &operator=(const SilhouetteTracker &) = delete;
 
     /// A newer background of the same place; the robots are followed on.
     void setBackground(Background background);
-    /// One observation a robot. Of a frame that holds a part of its picture the rest is decoded. A frame that repeats the one before it gives the
-    /// same observations again, marked as such. others: where other robots are seen in this frame, whose silhouettes are left to them. cues: of each
-    /// robot; none at all: all are of any look.
-    std::vector<Observation> track(const Frame &frame, std::span<const Observation> others = {}, std::span<const SilhouetteCue> cues = {});
+    /// One observation a robot, and then one of each other thing. Of a frame that holds a part of its picture the rest is decoded. A frame that repeats the one before it gives the
+    /// same observations again, marked as such. elsewhere: where robots that are not followed here are seen in this frame, whose silhouettes are left
+    /// to them. cues: of each robot; none at all: all are of any look.
+    std::vector<Observation> track(const Frame &frame, std::span<const Observation> elsewhere = {}, std::span<const SilhouetteCue> cues = {});
 
 private:
     struct Impl;

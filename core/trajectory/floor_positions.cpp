@@ -41,6 +41,7 @@ Sighting sightingOf(const ViewTrack &view, const Observation &observation, bool 
     sighting.time = timeOf(view, observation);
     sighting.score = observation.score;
     sighting.cut = observation.touchesBorder;
+    sighting.ofOutline = !observation.supportPx.empty();
     sighting.duplicate = observation.found && (observation.duplicateFrame || repeated);
     return sighting;
 }

@@ -18,6 +18,7 @@ struct Sighting
         false; ///< false: not found, a repeated picture, or beyond the horizon; place is then meaningless
     bool duplicate = false; ///< found, but the picture repeats the one before: its time is not known
     bool cut = false;       ///< cut by the picture's edge: the centre is biased
+    bool ofOutline = false; ///< of what differs from the background, and not of a colour
     double score = 0;
     FloorPosition place{};
 };

@@ -38,7 +38,7 @@ Found collect(const std::vector<std::vector<Sighting>> &views, std::size_t i, do
 {
     Found found;
     std::vector<ViewPosition> doubtful;
-    bool allCut = true;
+    bool allCut = true, areOutlines = true;
     for (std::size_t v = 0; v < views.size(); ++v) {
         const Sighting &sighting = views[v][i];
         found.duplicate |= sighting.duplicate;
@@ -46,6 +46,7 @@ Found collect(const std::vector<std::vector<Sighting>> &views, std::size_t i, do
             continue;
         evidence.bestScore = std::max(evidence.bestScore, sighting.score);
         allCut &= sighting.cut;
+        areOutlines &= sighting.ofOutline;
         const ViewPosition position{static_cast<std::uint32_t>(v), sighting.place};
         if (sighting.cut || sighting.score < leastScore)
             doubtful.push_back(position);
@@ -56,6 +57,7 @@ Found collect(const std::vector<std::vector<Sighting>> &views, std::size_t i, do
         found.positions = std::move(doubtful);
         found.sure = false;
         evidence.cut = allCut;
+        evidence.partlySeen = areOutlines;
     }
     return found;
 }

@@ -16,6 +16,7 @@ struct SampleEvidence
         contenders;       ///< positions of views that contradict each other; empty when decided
     double bestScore = 0; ///< of the views that found the robot
     bool cut = false;     ///< every view that found it has it at the picture's edge
+    bool partlySeen = false; ///< in no view is its outline what it usually is: something hides a part of it, or touches it in the picture
 };
 
 /// The samples of one robot before spikes are looked for; samples and evidence have equal length.

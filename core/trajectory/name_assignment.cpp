@@ -29,8 +29,8 @@ FrameNames framesOf(const NameEvidence &evidence, const std::vector<std::size_t>
 {
     FrameNames frames(views.size());
     for (std::size_t v = 0; v < views.size(); ++v) {
-        for (const std::size_t robot : considered)
-            frames[v].emplace_back(views[v].robots[robot].size(), noName);
+        for (std::size_t slot = 0; slot < evidence.slots[v]; ++slot)
+            frames[v].emplace_back(observationsOf(views[v], considered, slot).size(), noName);
     }
     for (std::size_t t = 0; t < names.size(); ++t) {
         const TrackletOf &one = evidence.tracklets[t];
@@ -63,57 +63,106 @@ void fillBetween(std::vector<int> &names)
     }
 }
 
+/// What is seen for a moment apart from a tracklet may be anything, where anything is followed.
+void dropUnconnected(const std::vector<Observation> &observations, const std::vector<int> &sure, std::vector<int> &names)
+{
+    std::vector<bool> isConnected(names.size());
+    const auto connect = [&](std::size_t i, std::size_t neighbour) {
+        const bool goesOn = observations[i].found && isConnected[neighbour] && names[i] == names[neighbour];
+        isConnected[i] = isConnected[i] || sure[i] != noName || goesOn;
+    };
+    for (std::size_t i = 0; i < names.size(); ++i)
+        connect(i, i > 0 ? i - 1 : i);
+    for (std::size_t i = names.size(); i-- > 0;)
+        connect(i, i + 1 < names.size() ? i + 1 : i);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        names[i] = isConnected[i] ? names[i] : noName;
+}
+
 /// Names of all slots of a frame: those of tracklets stand, the others take what they wish for while it is
-/// free, and else what is left.
-std::vector<int> completed(const std::vector<int> &sure, const std::vector<int> &wished)
+/// free. Where there are no more slots than robots they then take what is left.
+std::vector<int> completed(const std::vector<int> &sure, const std::vector<int> &wished, std::size_t robots)
 {
     std::vector<int> names = sure;
-    std::vector<bool> taken(names.size());
+    std::vector<bool> taken(robots);
+    const auto isRobot = [robots](int name) { return name != noName && static_cast<std::size_t>(name) < robots; };
     const auto take = [&](std::size_t slot, int name) {
         names[slot] = name;
         taken[static_cast<std::size_t>(name)] = true;
     };
     for (std::size_t slot = 0; slot < names.size(); ++slot) {
-        if (names[slot] != noName)
+        if (isRobot(names[slot]))
             take(slot, names[slot]);
     }
     for (std::size_t slot = 0; slot < names.size(); ++slot) {
-        if (names[slot] == noName && wished[slot] != noName && !taken[static_cast<std::size_t>(wished[slot])])
+        if (names[slot] == noName && isRobot(wished[slot]) && !taken[static_cast<std::size_t>(wished[slot])])
             take(slot, wished[slot]);
     }
-    for (std::size_t slot = 0; slot < names.size(); ++slot) {
-        if (names[slot] == noName) {
-            const auto left = std::find(taken.begin(), taken.end(), false) - taken.begin();
-            take(slot, static_cast<int>(left));
-        }
+    for (std::size_t slot = 0; slot < names.size() && names.size() == robots; ++slot) {
+        if (names[slot] == noName)
+            take(slot, static_cast<int>(std::find(taken.begin(), taken.end(), false) - taken.begin()));
     }
     return names;
+}
+
+/// The same frame, in which a robot is not seen.
+Observation unseenIn(const Observation &any)
+{
+    Observation unseen;
+    unseen.frame = any.frame;
+    unseen.time = any.time;
+    unseen.duplicateFrame = any.duplicateFrame;
+    return unseen;
 }
 
 std::int64_t rename(NamedView &view, const std::vector<std::size_t> &considered,
                     const std::vector<std::vector<int>> &sure)
 {
+    const std::size_t robots = considered.size(), slots = sure.size();
     std::vector<std::vector<int>> wished = sure;
-    for (auto &row : wished)
-        fillBetween(row);
+    for (std::size_t slot = 0; slot < slots; ++slot) {
+        fillBetween(wished[slot]);
+        if (slots > robots)
+            dropUnconnected(observationsOf(view, considered, slot), sure[slot], wished[slot]);
+    }
     std::int64_t renamed = 0;
-    const std::size_t count = considered.size();
     for (std::size_t i = 0; i < sure.front().size(); ++i) {
-        std::vector<int> sureHere(count), wishedHere(count);
+        std::vector<int> sureHere(slots), wishedHere(slots);
         std::vector<Observation> seen;
-        for (std::size_t slot = 0; slot < count; ++slot) {
+        for (std::size_t slot = 0; slot < slots; ++slot) {
             sureHere[slot] = sure[slot][i];
             wishedHere[slot] = wished[slot][i];
-            seen.push_back(view.robots[considered[slot]][i]);
+            seen.push_back(observationsOf(view, considered, slot)[i]);
         }
-        const std::vector<int> names = completed(sureHere, wishedHere);
-        for (std::size_t slot = 0; slot < count; ++slot) {
-            const auto name = static_cast<std::size_t>(names[slot]);
-            renamed += name != slot && seen[slot].found ? 1 : 0;
-            view.robots[considered[name]][i] = seen[slot];
+        const std::vector<int> names = completed(sureHere, wishedHere, robots);
+        for (std::size_t name = 0; name < robots; ++name) {
+            const auto slot = static_cast<std::size_t>(std::ranges::find(names, static_cast<int>(name)) - names.begin());
+            renamed += slot != name && slot < slots && seen[slot].found ? 1 : 0;
+            view.robots[considered[name]][i] = slot < slots ? seen[slot] : unseenIn(seen.front());
         }
     }
     return renamed;
+}
+
+/// Where the names leave a view with much less of robots than the tracker took for them by itself, they are its own: a view that contradicts
+/// the others is not silently left out.
+void keepContradicting(const NameEvidence &evidence, std::size_t robots, std::vector<std::size_t> &names)
+{
+    constexpr double leastKept = 0.2;
+    if (std::ranges::any_of(evidence.tracklets, [](const TrackletOf &one) { return one.pointedOut.has_value(); }))
+        return; // what a person says may contradict it
+    for (std::size_t v = 0; v < evidence.slots.size(); ++v) {
+        double named = 0, followed = 0;
+        for (std::size_t t = 0; t < names.size(); ++t) {
+            const TrackletOf &one = evidence.tracklets[t];
+            const double weight = one.view == v ? one.likeness * double(one.tracklet.last - one.tracklet.first + 1) : 0;
+            named += names[t] < robots ? weight : 0;
+            followed += one.slot < robots ? weight : 0;
+        }
+        for (std::size_t t = 0; t < names.size() && named < leastKept * followed; ++t)
+            if (evidence.tracklets[t].view == v)
+                names[t] = std::min(evidence.tracklets[t].slot, robots);
+    }
 }
 
 /// What the first round tells for the second.
@@ -135,7 +184,7 @@ public:
         std::vector<Pair> all;
         for (const FloorMoment &moment : m_evidence.moments)
             forEachTwo(moment, [&](const FloorSight &one, const FloorSight &other) {
-                if (m_names[*one.tracklet] == m_names[*other.tracklet])
+                if (m_names[*one.tracklet] == m_names[*other.tracklet] && m_names[*one.tracklet] < robots())
                     all.push_back({one.onFloor - other.onFloor, one.perMetreHeight - other.perMetreHeight});
             });
         return all;
@@ -148,7 +197,7 @@ public:
         std::vector<std::vector<double>> weights(m_views, std::vector<double>(robots()));
         for (std::size_t t = 0; t < m_names.size(); ++t) {
             const TrackletOf &one = m_evidence.tracklets[t];
-            if (one.tracklet.meanChroma.isZero())
+            if (one.tracklet.meanChroma.isZero() || m_names[t] == robots())
                 continue;
             const auto frames = static_cast<double>(one.tracklet.last - one.tracklet.first + 1);
             sums[one.view][m_names[t]] += frames * one.tracklet.meanChroma;
@@ -159,6 +208,21 @@ public:
                 sums[v][r] /= std::max(1.0, weights[v][r]);
         }
         return sums;
+    }
+
+    /// Medians over the frames of all views.
+    std::vector<double> sizesM() const
+    {
+        std::vector<std::vector<double>> seen(robots());
+        for (std::size_t t = 0; t < m_names.size(); ++t) {
+            const TrackletOf &one = m_evidence.tracklets[t];
+            if (m_names[t] < robots() && one.sizeM > 0)
+                seen[m_names[t]].insert(seen[m_names[t]].end(), one.tracklet.last - one.tracklet.first + 1, one.sizeM);
+        }
+        std::vector<double> sizes;
+        for (std::vector<double> &its : seen)
+            sizes.push_back(its.empty() ? 0 : upperMedian(std::move(its)));
+        return sizes;
     }
 
 private:
@@ -202,6 +266,7 @@ FoundNames decideNames(const NameEvidence &evidence, std::size_t views, std::opt
     knowledge.floorSigmaM = secondSigmaM;
     knowledge.viewsAgree = disagreementOf(pairs, knowledge.planeM) < mostDisagreementM;
     knowledge.looks = lessons.looks();
+    knowledge.sizesM = lessons.sizesM();
     return searchNames(evidence, views, knowledge);
 }
 
@@ -276,16 +341,19 @@ NameOutcome assignNames(std::vector<NamedView> &views, const std::vector<NamedRo
 {
     NameOutcome outcome;
     for (const std::vector<std::size_t> &considered : robotsOfLikeColours(robots)) {
-        if (considered.size() < 2 || considered.size() > mostConfusable)
+        if (considered.size() > mostConfusable)
             continue;
         const NameEvidence evidence = gatherEvidence(views, robots, considered);
-        if (evidence.tracklets.empty())
+        outcome.nothingThere.insert(outcome.nothingThere.end(), evidence.nothingThere.begin(), evidence.nothingThere.end());
+        if (evidence.tracklets.empty() || std::ranges::max(evidence.slots) < 2)
             continue;
-        const FoundNames found = decideNames(evidence, views.size(), toldPlane(robots, considered));
+        FoundNames found = decideNames(evidence, views.size(), toldPlane(robots, considered));
+        keepContradicting(evidence, considered.size(), found.names);
         const FrameNames frames = framesOf(evidence, found.names, views, considered);
         for (std::size_t v = 0; v < views.size(); ++v)
             outcome.renamed += rename(views[v], considered, frames[v]);
-        std::ranges::move(doubtsOf(found, evidence, considered), std::back_inserter(outcome.doubts));
+        if (considered.size() > 1)
+            std::ranges::move(doubtsOf(found, evidence, considered), std::back_inserter(outcome.doubts));
     }
     return outcome;
 }

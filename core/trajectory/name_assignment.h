@@ -6,6 +6,7 @@
 #include "core/tracking/observation.h"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace odo {
@@ -17,6 +18,14 @@ struct NamedRobot
     std::optional<double> heightM; ///< of its top; empty: estimated
 };
 
+/// Where a person says that a robot is in one frame of a view.
+struct PointedOut
+{
+    std::size_t robot = 0;
+    std::int64_t frame = 0;
+    Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+};
+
 /// What one view saw of all robots.
 struct NamedView
 {
@@ -24,7 +33,9 @@ struct NamedView
     Nanoseconds startOffset{0};         ///< how much later its first frame was taken than the first view's
     std::vector<std::vector<Observation>>
         robots; ///< for each robot its observations; equally many, of equal frames
+    std::vector<std::vector<Observation>> others = {}; ///< likewise of what else was followed, which may be robots without a told colour
     double clockRate = 0; ///< by how much its clock runs faster than the first view's
+    std::vector<PointedOut> pointedOut = {}; ///< robots without a told colour
 };
 
 /// A stretch of time at which it cannot be told from what came before it which robot is which.
@@ -39,6 +50,7 @@ struct NameOutcome
 {
     std::int64_t renamed = 0;      ///< observations (found ones) that changed their robot
     std::vector<NameDoubt> doubts; ///< in order, those of a robot apart from one another
+    std::vector<std::pair<std::size_t, std::size_t>> nothingThere; ///< view and number of what was pointed out where nothing was followed
 };
 
 /// The robots in groups whose told colours might be taken for one another, and those without a colour; a robot of a colour of its own is a group.
@@ -49,7 +61,7 @@ std::vector<std::vector<std::size_t>> robotsOfLikeColours(const std::vector<Name
 ///
 /// The tracker follows each view by itself, from frame to frame. Its observations are cut into tracklets
 /// wherever a robot was lost or was one with another in the picture (score below 0.2). Each tracklet then
-/// gets the name under which all of it is cheapest: the views agree on the floor, each name's motion goes on
+/// gets the name under which all of it is cheapest (or none, where a view followed more than the robots): the views agree on the floor, each name's motion goes on
 /// from tracklet to tracklet, and the tracklets' mean hues fit the told colours (but for a shift common to
 /// the view's robots). Solved by dynamic programming along time over the views' naming, kept to the best few
 /// hundred (exact for two or three robots). A second round knows the robots' height and their looks in each

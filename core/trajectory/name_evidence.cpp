@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/name_evidence.h"
 
+#include "core/base/upper_median.h"
+#include "core/geometry/support.h"
 #include "core/tracking/chroma.h"
 #include "core/trajectory/view_clock.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -16,7 +19,18 @@ namespace {
 
 constexpr double momentStepS = 0.05;
 constexpr double longestInterpolationS = 0.12;
+constexpr double leastLikeness = 0.15, wayOfRobotM = 1; // of what stands still; what has gone as far is as likely a robot as can be
+constexpr double likenessAtBorder = 0.3;
 constexpr double secondPlaneM = 0.1; ///< any height: a ray moves on a straight line through the planes
+
+/// The side of a square of what is seen, were it upright over its place on the floor, m; 0 beyond the horizon.
+double sizeOf(const FloorView &view, const Observation &seen)
+{
+    constexpr double besidePx = 4;
+    const Eigen::Vector2d aside(besidePx, 0);
+    const auto left = view.floorFromPixel(seen.ellipse.centrePx - aside, 0), right = view.floorFromPixel(seen.ellipse.centrePx + aside, 0);
+    return left && right ? std::sqrt(seen.areaPx) * (*right - *left).norm() / (2 * besidePx) : 0;
+}
 
 /// Walks along one slot's observations in step with time.
 class SlotReader
@@ -44,7 +58,7 @@ public:
                    high = m_view.floorView->floorFromPixel(pixel, secondPlaneM);
         if (!low || !high)
             return {};
-        return {true, {}, *low, (*high - *low) / secondPlaneM};
+        return {true, {}, *low, (*high - *low) / secondPlaneM, sizeOf(*m_view.floorView, before)};
     }
 
 private:
@@ -56,7 +70,7 @@ private:
 };
 
 std::vector<FloorMoment> gatherMoments(const std::vector<NamedView> &views,
-                                       const std::vector<std::size_t> &considered)
+                                       const std::vector<std::size_t> &considered, const std::vector<std::size_t> &slots)
 {
     double beginS = 1e300, endS = -1e300;
     std::vector<std::vector<SlotReader>> readers(views.size());
@@ -66,8 +80,8 @@ std::vector<FloorMoment> gatherMoments(const std::vector<NamedView> &views,
             continue;
         beginS = std::min(beginS, toSeconds(timeOf(views[v], any.front())));
         endS = std::max(endS, toSeconds(timeOf(views[v], any.back())));
-        for (const std::size_t robot : considered)
-            readers[v].emplace_back(views[v], views[v].robots[robot]);
+        for (std::size_t slot = 0; slot < slots[v]; ++slot)
+            readers[v].emplace_back(views[v], observationsOf(views[v], considered, slot));
     }
     std::vector<FloorMoment> moments;
     for (double timeS = beginS; timeS <= endS; timeS += momentStepS) {
@@ -87,6 +101,29 @@ std::vector<FloorMoment> gatherMoments(const std::vector<NamedView> &views,
     return moments;
 }
 
+/// Robots drive over the floor within the picture; people stand beside it, hands reach in over its edge.
+TrackletOf judged(TrackletOf one, const NamedView &view, const std::vector<Observation> &observations)
+{
+    Eigen::AlignedBox2d visited;
+    std::vector<double> sizes;
+    double atBorder = 0;
+    const double frames = double(one.tracklet.last - one.tracklet.first + 1);
+    for (std::size_t i = one.tracklet.first; i <= one.tracklet.last; ++i) {
+        const Observation &seen = observations[i];
+        atBorder += seen.touchesBorder ? 1 / frames : 0;
+        const auto place = view.floorView ? view.floorView->floorFromPixel(seen.ellipse.centrePx, 0) : std::nullopt;
+        if (!place)
+            continue;
+        visited.extend(*place);
+        sizes.push_back(sizeOf(*view.floorView, seen));
+    }
+    const double movedM = visited.isEmpty() ? 0 : visited.diagonal().norm();
+    const double moves = leastLikeness + (1 - leastLikeness) * std::min(1.0, movedM / wayOfRobotM);
+    one.likeness = moves * (1 - (1 - likenessAtBorder) * atBorder);
+    one.sizeM = sizes.empty() ? 0 : upperMedian(std::move(sizes));
+    return one;
+}
+
 /// Tells of all sights that saw something which tracklet they show.
 void addTracklets(NameEvidence &evidence)
 {
@@ -99,6 +136,47 @@ void addTracklets(NameEvidence &evidence)
             const auto &[view, slot] = place;
             if (slot < moment.sights[view].size() && moment.sights[view][slot].seen && evidence.tracklets[index].tracklet.end.timeS >= moment.timeS)
                 moment.sights[view][slot].tracklet = index;
+        }
+    }
+}
+
+/// Whether an outline holds a pixel, or nearly so.
+bool holds(const Observation &seen, const Eigen::Vector2d &pixel)
+{
+    constexpr double besidePx = 4;
+    const Eigen::Vector2d away = pixel - seen.ellipse.centrePx;
+    for (std::size_t k = 0; k < seen.supportPx.size(); ++k)
+        if (supportDirection(k).dot(away) > double(seen.supportPx[k]) + besidePx)
+            return false;
+    return seen.found && !seen.supportPx.empty();
+}
+
+/// Marks the tracklets that a person pointed out: of several that hold the place the one of the smallest thing.
+void addPointedOut(const std::vector<NamedView> &views, const std::vector<std::size_t> &considered, NameEvidence &evidence)
+{
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        for (std::size_t i = 0; i < views[v].pointedOut.size(); ++i) {
+            const PointedOut &told = views[v].pointedOut[i];
+            const auto name = std::ranges::find(considered, told.robot);
+            if (name == considered.end())
+                continue;
+            TrackletOf *own = nullptr;
+            double leastPx = HUGE_VAL;
+            for (TrackletOf &one : evidence.tracklets) {
+                if (one.view != v)
+                    continue;
+                const auto &observations = observationsOf(views[v], considered, one.slot);
+                const auto at = std::ranges::find(observations, told.frame, &Observation::frame);
+                const auto index = static_cast<std::size_t>(at - observations.begin());
+                if (index < one.tracklet.first || index > one.tracklet.last || !holds(*at, told.pixel) || at->areaPx >= leastPx)
+                    continue;
+                own = &one;
+                leastPx = at->areaPx;
+            }
+            if (own)
+                own->pointedOut = static_cast<std::size_t>(name - considered.begin());
+            else
+                evidence.nothingThere.emplace_back(v, i);
         }
     }
 }
@@ -128,6 +206,11 @@ double hueShiftOf(const NamedView &view, const std::vector<std::size_t> &conside
 
 } // namespace
 
+const std::vector<Observation> &observationsOf(const NamedView &view, const std::vector<std::size_t> &considered, std::size_t slot)
+{
+    return slot < considered.size() ? view.robots[considered[slot]] : view.others[slot - considered.size()];
+}
+
 std::optional<double> toldHue(const NamedRobot &robot)
 {
     return robot.colour ? std::optional(hueOf(chromaOf(*robot.colour, FrameFormat{}))) : std::nullopt;
@@ -149,11 +232,13 @@ NameEvidence gatherEvidence(const std::vector<NamedView> &views, const std::vect
     NameEvidence evidence;
     for (const std::size_t robot : considered)
         evidence.toldHueRad.push_back(toldHue(robots[robot]));
+    const bool ofAnyLook = std::ranges::none_of(evidence.toldHueRad, &std::optional<double>::has_value);
     for (std::size_t v = 0; v < views.size(); ++v) {
-        for (std::size_t slot = 0; slot < considered.size(); ++slot) {
-            for (const Tracklet &tracklet :
-                 cutIntoTracklets(views[v].robots[considered[slot]], clockOf(views[v])))
-                evidence.tracklets.push_back({v, slot, tracklet});
+        evidence.slots.push_back(considered.size() + (ofAnyLook ? views[v].others.size() : 0));
+        for (std::size_t slot = 0; slot < evidence.slots[v]; ++slot) {
+            const auto &observations = observationsOf(views[v], considered, slot);
+            for (const Tracklet &tracklet : cutIntoTracklets(observations, clockOf(views[v])))
+                evidence.tracklets.push_back(judged({v, slot, tracklet}, views[v], observations));
         }
         evidence.hueShiftRad.push_back(hueShiftOf(views[v], considered, evidence.toldHueRad));
     }
@@ -161,7 +246,8 @@ NameEvidence gatherEvidence(const std::vector<NamedView> &views, const std::vect
                      [](const TrackletOf &a, const TrackletOf &b) {
                          return a.tracklet.begin.timeS < b.tracklet.begin.timeS;
                      });
-    evidence.moments = gatherMoments(views, considered);
+    addPointedOut(views, considered, evidence);
+    evidence.moments = gatherMoments(views, considered, evidence.slots);
     addTracklets(evidence);
     return evidence;
 }

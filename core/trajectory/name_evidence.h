@@ -9,11 +9,14 @@
 
 namespace odo {
 
-/// One tracklet of one view; slot is the tracker's robot, among those considered.
+/// One tracklet of one view; slot is the tracker's robot, among those considered, and behind them what else was followed.
 struct TrackletOf
 {
     std::size_t view = 0, slot = 0;
     Tracklet tracklet;
+    double likeness = 1; ///< to a robot, 0 to 1: it moves over the floor, and stays within the picture
+    std::optional<std::size_t> pointedOut; ///< the robot, among those considered, that a person says it is
+    double sizeM = 0;    ///< of a square of its area at its place on the floor, the median; 0 where that is not known
 };
 
 /// Where a slot's robot is on the floor, as a line: seen at the height h it is at onFloor + h·perMetreHeight.
@@ -22,6 +25,7 @@ struct FloorSight
     bool seen = false;
     std::optional<std::size_t> tracklet; ///< of the evidence, that was seen there; none where it is too short for one
     Eigen::Vector2d onFloor = Eigen::Vector2d::Zero(), perMetreHeight = Eigen::Vector2d::Zero();
+    double sizeM = 0; ///< of a square of its area there
 
     Eigen::Vector2d at(double heightM) const { return onFloor + heightM * perMetreHeight; }
 };
@@ -45,18 +49,23 @@ void forEachTwo(const FloorMoment &moment, const Look &look)
                         look(one, other);
 }
 
-/// What there is to decide the names of some robots from. Slots index the robots given, in all views.
+/// What there is to decide the names of some robots from.
 struct NameEvidence
 {
+    std::vector<std::size_t> slots;    ///< of each view: one for each robot, in order, and then one for each other thing
     std::vector<TrackletOf> tracklets; ///< in order of their begin
     std::vector<FloorMoment> moments;  ///< every 50 ms, where at least two views saw anything; in order
     std::vector<double> hueShiftRad;   ///< for each view, of all its robots against their told colours
     std::vector<std::optional<double>> toldHueRad; ///< for each robot; none where no colour was told
+    std::vector<std::pair<std::size_t, std::size_t>> nothingThere; ///< as of NameOutcome
 };
 
-/// robots: indices of those considered.
+/// considered: indices of robots. Only robots without a told colour may be something else that was followed.
 NameEvidence gatherEvidence(const std::vector<NamedView> &views, const std::vector<NamedRobot> &robots,
                             const std::vector<std::size_t> &considered);
+
+/// What a slot of a view holds. considered: as of gatherEvidence.
+const std::vector<Observation> &observationsOf(const NamedView &view, const std::vector<std::size_t> &considered, std::size_t slot);
 
 /// Of the colour that was told, if one was.
 std::optional<double> toldHue(const NamedRobot &robot);

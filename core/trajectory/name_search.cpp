@@ -17,8 +17,13 @@ constexpr double hopelessCost = 60.0; ///< behind the best hypothesis
 constexpr double mostFloorCost = 6.0, floorWeight = 0.2;
 constexpr double hueSigmaRad = 0.09, mostHueCost = 12.0;
 constexpr double leastLookSigma = 3.0, relativeLookSigma = 0.05, mostLookCost = 10.0;
+constexpr double sizeAsideLn = 0.25, sizeSigmaLn = 0.2, mostSizeCost = 10.0; ///< a long robot looks smaller from its front than from its side
 constexpr double costOfBeginning = 6.0; ///< of a name that a view has not seen yet: mostly a robot that was lost comes back
 constexpr double costOfRenaming = 0.05; ///< the tracker's own choice is as good where nothing else tells
+
+constexpr double costOfNoRobotPerS = 4.0; ///< of something that is as likely a robot as can be, and is none
+
+constexpr double costOfContradicting = 1000.0; ///< what a person has said
 
 constexpr double costOfDoubt = 3.0; ///< by which one way is surely better than another: of e^3 = 20 to 1
 
@@ -27,8 +32,7 @@ constexpr int none = -1;
 /// One way to have named everything up to now.
 struct NameHypothesis
 {
-    std::vector<int>
-        state; ///< for each view and slot its name; then for each view and name its last tracklet
+    std::vector<int> last; ///< for each view and name its last tracklet
     double cost = 0;
     int decision = none; ///< the last one, in the search's list
 };
@@ -51,16 +55,12 @@ class NamesSearch
 public:
     NamesSearch(const NameEvidence &evidence, std::size_t views, const NameKnowledge &knowledge)
         : m_evidence(evidence), m_knowledge(knowledge), m_views(views), m_robots(evidence.toldHueRad.size()),
-          m_runsUntilS(views * m_robots, -1e300), m_apart(evidence.tracklets.size())
+          m_apart(evidence.tracklets.size())
     {
         if (knowledge.viewsAgree)
             for (const FloorMoment &moment : evidence.moments)
                 addApart(moment);
-        NameHypothesis first;
-        first.state.assign(2 * m_views * m_robots, none);
-        for (std::size_t i = 0; i < m_views * m_robots; ++i)
-            first.state[i] = static_cast<int>(i % m_robots);
-        m_hypotheses.push_back(std::move(first));
+        m_hypotheses.push_back({std::vector<int>(m_views * m_robots, none), 0, none});
     }
 
     FoundNames run()
@@ -80,18 +80,27 @@ public:
     }
 
 private:
-    std::size_t slotIndex(std::size_t view, std::size_t slot) const { return view * m_robots + slot; }
-    std::size_t lastIndex(std::size_t view, std::size_t name) const
+    std::size_t placeOf(std::size_t view, std::size_t name) const { return view * m_robots + name; }
+    const TrackletOf &trackletOf(int number) const { return m_evidence.tracklets[static_cast<std::size_t>(number)]; }
+    int lastOf(const NameHypothesis &hypothesis, std::size_t view, std::size_t name) const { return hypothesis.last[placeOf(view, name)]; }
+
+    /// Of two sizes that should be one thing's. Of told colours a part may be seen.
+    double costOfSizes(double oneM, double otherM) const
     {
-        return (m_views + view) * m_robots + name;
+        if (!(oneM > 0) || !(otherM > 0) || !ofAnyLook())
+            return 0;
+        const double off = std::max(0.0, std::abs(std::log(oneM / otherM)) - sizeAsideLn) / sizeSigmaLn;
+        return std::min(mostSizeCost, 0.5 * off * off);
     }
+
+    bool ofAnyLook() const { return std::ranges::none_of(m_evidence.toldHueRad, &std::optional<double>::has_value); }
 
     /// What a moment adds to the costs of two views' tracklets.
     void addApart(const FloorMoment &moment)
     {
         forEachTwo(moment, [&](const FloorSight &one, const FloorSight &other) {
             const Eigen::Vector2d apart = one.at(m_knowledge.planeM) - other.at(m_knowledge.planeM);
-            const double cost = 0.5 * apart.squaredNorm() / (m_knowledge.floorSigmaM * m_knowledge.floorSigmaM);
+            const double cost = 0.5 * apart.squaredNorm() / (m_knowledge.floorSigmaM * m_knowledge.floorSigmaM) + costOfSizes(one.sizeM, other.sizeM);
             const auto &[earlier, later] = std::minmax(*one.tracklet, *other.tracklet);
             CostOfTwo &both = m_apart[later][earlier];
             both.ofOneName += floorWeight * std::min(mostFloorCost, cost);
@@ -99,15 +108,22 @@ private:
         });
     }
 
+    /// Of a tracklet that runs still.
+    std::size_t nameOf(const NameHypothesis &hypothesis, std::size_t t) const
+    {
+        std::size_t name = 0;
+        while (name < m_robots && lastOf(hypothesis, m_evidence.tracklets[t].view, name) != static_cast<int>(t))
+            ++name;
+        return name;
+    }
+
     /// How far a tracklet lies from those of other views that have the name, and how near to those that have another, for as long as both are seen.
     double costOfApart(const NameHypothesis &hypothesis, std::size_t t, std::size_t name) const
     {
         double cost = 0;
-        for (const auto &[earlier, both] : m_apart[t]) {
-            const TrackletOf &other = m_evidence.tracklets[earlier]; // it runs still, so that its slot has its name
-            const bool isSame = hypothesis.state[slotIndex(other.view, other.slot)] == static_cast<int>(name);
-            cost += isSame ? both.ofOneName : both.ofTwoNames;
-        }
+        for (const auto &[earlier, both] : m_apart[t])
+            if (const std::size_t its = nameOf(hypothesis, earlier); its < m_robots)
+                cost += its == name ? both.ofOneName : both.ofTwoNames;
         return cost;
     }
 
@@ -115,15 +131,22 @@ private:
     {
         const TrackletOf &begun = m_evidence.tracklets[t];
         double cost = colourCost(begun, name) + costOfApart(hypothesis, t, name);
-        const int last = hypothesis.state[lastIndex(begun.view, name)];
+        const int last = lastOf(hypothesis, begun.view, name);
         if (last != none)
-            cost += costOfJoining(m_evidence.tracklets[static_cast<std::size_t>(last)].tracklet.end,
-                                  begun.tracklet.begin);
-        else if (!m_evidence.toldHueRad[name])
+            cost += costOfJoining(trackletOf(last).tracklet.end, begun.tracklet.begin);
+        else if (m_robots > 1 && !m_evidence.toldHueRad[name])
             cost += costOfBeginning;
-        if (hypothesis.state[slotIndex(begun.view, begun.slot)] != static_cast<int>(name))
-            cost += costOfRenaming;
-        return cost;
+        if (!m_knowledge.sizesM.empty())
+            cost += costOfSizes(begun.sizeM, m_knowledge.sizesM[name]);
+        const std::size_t usualSlot = last != none ? trackletOf(last).slot : name;
+        return usualSlot == begun.slot ? cost : cost + costOfRenaming;
+    }
+
+    /// Of what looks like a robot and is none.
+    double costOfNoRobot(std::size_t t) const
+    {
+        const TrackletOf &begun = m_evidence.tracklets[t];
+        return costOfNoRobotPerS * begun.likeness * (begun.tracklet.end.timeS - begun.tracklet.begin.timeS);
     }
 
     double colourCost(const TrackletOf &begun, std::size_t name) const
@@ -153,39 +176,53 @@ private:
         if (m_evidence.toldHueRad[name])
             return false;
         for (std::size_t view = 0; view < m_views; ++view)
-            if (hypothesis.state[lastIndex(view, name)] != none)
+            if (lastOf(hypothesis, view, name) != none)
                 return false;
         return true;
     }
 
-    /// A tracklet begins: its slot may exchange names with any slot of its view that shows nothing sure just
-    /// now.
+    /// Whether a person pointed it out as another, or another thing beside it as this one.
+    bool contradictsPerson(std::size_t t, std::size_t name) const
+    {
+        const TrackletOf &one = m_evidence.tracklets[t];
+        if (one.pointedOut)
+            return *one.pointedOut != name;
+        return std::ranges::any_of(m_evidence.tracklets, [&](const TrackletOf &other) {
+            return other.pointedOut == name && other.view == one.view && other.tracklet.begin.timeS <= one.tracklet.end.timeS &&
+                   one.tracklet.begin.timeS <= other.tracklet.end.timeS;
+        });
+    }
+
+    /// A tracklet begins: it may be any robot that its view sees nowhere else just now, or none where more than the robots are followed.
     void decide(std::size_t t)
     {
         const TrackletOf &begun = m_evidence.tracklets[t];
         std::vector<NameHypothesis> next;
+        std::vector<double> contradiction; // of each name, and of none
+        for (std::size_t name = 0; name <= m_robots; ++name)
+            contradiction.push_back(contradictsPerson(t, name) ? costOfContradicting : 0);
+        const auto add = [&](const NameHypothesis &hypothesis, std::size_t name, double cost) {
+            NameHypothesis &changed = next.emplace_back(hypothesis);
+            changed.cost += cost + contradiction[name];
+            if (name < m_robots)
+                changed.last[placeOf(begun.view, name)] = static_cast<int>(t);
+            m_decisions.push_back({hypothesis.decision, t, name, {}});
+            changed.decision = static_cast<int>(m_decisions.size()) - 1;
+        };
         for (const NameHypothesis &hypothesis : m_hypotheses) {
             bool isUnusedTried = false;
             for (std::size_t k = 0; k < m_robots; ++k) {
-                const std::size_t slot = (begun.slot + k) % m_robots;
-                if (m_runsUntilS[slotIndex(begun.view, slot)] >= begun.tracklet.begin.timeS)
+                const std::size_t name = (begun.slot + k) % m_robots;
+                const int last = lastOf(hypothesis, begun.view, name);
+                if (last != none && trackletOf(last).tracklet.end.timeS >= begun.tracklet.begin.timeS)
                     continue;
-                const std::size_t own = slotIndex(begun.view, begun.slot),
-                                  other = slotIndex(begun.view, slot);
-                const auto name = static_cast<std::size_t>(hypothesis.state[other]);
-                if (isUnused(hypothesis, name) && std::exchange(isUnusedTried, true))
-                    continue;
-                NameHypothesis changed = hypothesis;
-                changed.cost += costOf(hypothesis, t, name);
-                std::swap(changed.state[own], changed.state[other]);
-                changed.state[lastIndex(begun.view, name)] = static_cast<int>(t);
-                m_decisions.push_back({hypothesis.decision, t, name, {}});
-                changed.decision = static_cast<int>(m_decisions.size()) - 1;
-                next.push_back(std::move(changed));
+                if (!isUnused(hypothesis, name) || !std::exchange(isUnusedTried, true))
+                    add(hypothesis, name, costOf(hypothesis, t, name));
             }
+            if (m_evidence.slots[begun.view] > m_robots)
+                add(hypothesis, m_robots, costOfNoRobot(t));
         }
         m_hypotheses = bestOf(std::move(next));
-        m_runsUntilS[slotIndex(begun.view, begun.slot)] = begun.tracklet.end.timeS;
     }
 
     /// Of hypotheses that only differ in what lies behind the cheapest, which remembers those that were nearly as cheap; of all the cheapest few hundred, in
@@ -199,7 +236,7 @@ private:
         for (NameHypothesis &hypothesis : hypotheses) {
             if (best.size() == mostNameHypotheses || hypothesis.cost > hypotheses.front().cost + hopelessCost)
                 break;
-            const auto [its, isNew] = known.emplace(hypothesis.state, best.size());
+            const auto [its, isNew] = known.emplace(hypothesis.last, best.size());
             if (isNew) {
                 best.push_back(hypothesis);
                 continue;
@@ -227,8 +264,10 @@ private:
         Links links;
         std::vector<int> last(m_views * m_robots, none);
         for (std::size_t t = 0; decision != none && t <= decisionOf(decision).tracklet; ++t) {
-            int &before = last[slotIndex(m_evidence.tracklets[t].view, names[t])];
-            links.push_back(std::exchange(before, static_cast<int>(t)));
+            if (names[t] < m_robots)
+                links.push_back(std::exchange(last[placeOf(m_evidence.tracklets[t].view, names[t])], static_cast<int>(t)));
+            else
+                links.push_back(none);
         }
         return links;
     }
@@ -245,14 +284,14 @@ private:
                 continue;
             // It goes on from another tracklet, whatever that one is called by this way.
             const std::size_t otherName = other[t] == none ? names[t] : found.names[static_cast<std::size_t>(other[t])];
-            found.doubts.push_back({static_cast<std::size_t>(best[t]), t, otherName});
+            if (otherName < m_robots) // else it is not between robots
+                found.doubts.push_back({static_cast<std::size_t>(best[t]), t, otherName});
         }
     }
 
     const NameEvidence &m_evidence;
     const NameKnowledge &m_knowledge;
     const std::size_t m_views, m_robots;
-    std::vector<double> m_runsUntilS; ///< for each view and slot the end of its tracklet
     std::vector<std::map<std::size_t, CostOfTwo>> m_apart; ///< of each tracklet, with those of other views that began before it
     std::vector<NameHypothesis> m_hypotheses;
     std::vector<NameDecision> m_decisions;

@@ -16,6 +16,7 @@ struct NameKnowledge
     /// Mean chroma of each name in each view, looks[view][name]; empty in the first round, zero where
     /// unknown.
     std::vector<std::vector<Eigen::Vector2d>> looks;
+    std::vector<double> sizesM; ///< of each name, as of TrackletOf; likewise
 };
 
 /// Two tracklets of one view that got one name, where another way to name the tracklets explains the evidence nearly as well.
@@ -27,7 +28,7 @@ struct DoubtfulLink
 
 struct FoundNames
 {
-    std::vector<std::size_t> names; ///< of each tracklet of the evidence: an index among the robots considered
+    std::vector<std::size_t> names; ///< of each tracklet of the evidence: an index among the robots considered, or their number where it is no robot
     std::vector<DoubtfulLink> doubts;
 };
 

@@ -284,7 +284,8 @@ std::vector<Spike> describeSpikes(const FusedTrack &track, const std::vector<Pro
     std::vector<Spike> spikes;
     for (std::size_t i = 0; i < track.samples.size(); ++i) {
         const Sample &sample = track.samples[i];
-        if ((sample.flags & spikeFlags) == 0)
+        const SampleFlags against = sample.flags & spikeFlags;
+        if (against == 0 || (against == flagBit(SampleFlag::LowScore) && track.evidence[i].partlySeen))
             continue;
         spikes.push_back({static_cast<std::int64_t>(i), sample.time, sample.flags,
                           reasonOf(sample, track.evidence[i], points[i], standsOut[i])});

@@ -89,6 +89,7 @@ private:
         result.time = time;
         result.seen = true;
         result.cut = a.cut || b.cut;
+        result.ofOutline = a.ofOutline && b.ofOutline;
         result.score = std::min(a.score, b.score);
         result.place.pixelCovariance = blend(a.place.pixelCovariance, b.place.pixelCovariance);
         result.place.calibrationCovariance =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/clip_offset.h"
 
+#include "core/tracking/colour_tracker.h"
 #include "core/workflow/view_tracking.h"
 
 #include <algorithm>
@@ -18,14 +19,19 @@ std::vector<std::vector<MotionTrack>> tracksOf(const std::vector<RegisteredView>
     std::vector<NamedRobot> named;
     std::vector<std::string> names;
     for (const RobotRecord &robot : robots) {
-        named.push_back({robot.colour, robot.heightM});
+        named.push_back({isFoundByColour({robot.name, robot.colour}) ? robot.colour : std::nullopt, robot.heightM});
         names.push_back(robot.name);
     }
-    std::vector<NamedView> seen(views.size());
+    std::vector<NamedView> seen;
     for (std::size_t v = 0; v < views.size(); ++v) {
-        seen[v].floorView = views[v].floorView;
+        std::vector<NamedView> alone(1); // how the views' clocks lie is not known yet: each decides by itself which of what moves the robots are
+        alone.front().floorView = views[v].floorView;
         for (const ObservationSeries &series : tracked[v].series)
-            seen[v].robots.push_back(series.observations);
+            alone.front().robots.push_back(series.observations);
+        alone.front().others = tracked[v].others;
+        if (!tracked[v].others.empty())
+            assignNames(alone, named);
+        seen.push_back(std::move(alone.front()));
     }
     return motionTracks(seen, named, names);
 }

@@ -10,10 +10,10 @@
 namespace odo {
 
 /// Settles, over all views of a trial, which of the tracked series is which robot (assignNames), before
-/// anything is analysed or stored. The views' offsets must be known. Does nothing for a single robot. Gives when it could not be told who
-/// is who, by the robots' numbers.
-std::vector<NameDoubt> settleNames(const std::vector<RegisteredView> &views, const std::vector<RobotRecord> &robots,
-                 std::vector<TrackedView> &tracked);
+/// anything is analysed or stored, and which of what was followed a robot of any look is. The views' offsets must be known. Gives when it could not
+/// be told who is who, by the robots' numbers. pointedOut: of the trial. InvalidInput: nothing was followed where a robot was pointed out.
+Result<std::vector<NameDoubt>> settleNames(const std::vector<RegisteredView> &views, const std::vector<RobotRecord> &robots,
+                                           std::vector<TrackedView> &tracked, const std::vector<PointedOutRobot> &pointedOut = {});
 
 /// The same as they are stored: of each robot its own.
 std::vector<std::vector<DoubtfulName>> doubtfulNamesOf(const std::vector<NameDoubt> &doubts, const std::vector<RobotRecord> &robots);

@@ -6,6 +6,7 @@
 #include "core/tracking/colour_tracker.h"
 #include "core/trajectory/imported_track.h"
 #include "core/workflow/imported_tracks.h"
+#include "core/workflow/pointed_out.h"
 #include "core/workflow/registered_view.h"
 #include "core/workflow/robot_names.h"
 #include "core/workflow/task_analysis.h"
@@ -28,6 +29,7 @@ struct TrackJob::Impl
     std::vector<RegisteredView> views;
 
     std::vector<AnalysisOptions> options; ///< one a robot
+    std::vector<PointedOutRobot> pointedOut;
     std::vector<TrackedView> stored;      ///< with `again`
     std::vector<std::vector<Sample>> imported; ///< with `again` of imported tracks, one a robot
     std::vector<ObservationSeries> observations;
@@ -72,6 +74,10 @@ Result<void> TrackJob::prepare(Project &project)
     d.views = std::move(*views);
     if (auto read = d.readOptions(project); !read)
         return read;
+    auto pointedOut = pointedOutRobots(project, d.trial, d.views, d.robots, d.settings.pointers);
+    if (!pointedOut)
+        return tl::unexpected(pointedOut.error());
+    d.pointedOut = std::move(*pointedOut);
     const auto imported = importedTracksOf(project, d.trial);
     if (!imported)
         return tl::unexpected(imported.error());
@@ -145,7 +151,10 @@ Result<void> TrackJob::run(const JobControl &control)
 
     if (!d.settings.again) { // what is stored is settled
         control.report(0.96, "settling which robot is which");
-        d.doubts = doubtfulNamesOf(settleNames(d.views, d.robots, *tracked), d.robots);
+        const auto doubts = settleNames(d.views, d.robots, *tracked, d.pointedOut);
+        if (!doubts)
+            return tl::unexpected(doubts.error());
+        d.doubts = doubtfulNamesOf(*doubts, d.robots);
     }
     d.outcome.warnings = stepWarnings(d.trialName, d.views);
     control.report(0.97, "analysing");
@@ -240,6 +249,10 @@ Result<void> TrackJob::commit(Project &project)
                         "measure it again");
         for (const ObservationSeries &series : d.observations) {
             if (auto stored = project.trials().addObservations(series); !stored)
+                return stored;
+        }
+        if (!d.settings.pointers.empty()) {
+            if (auto stored = project.trials().setPointedOut(d.trial.id, d.pointedOut); !stored)
                 return stored;
         }
         for (TrackedRobot &robot : d.outcome.robots) {

@@ -13,6 +13,15 @@
 
 namespace odo {
 
+/// Where a person says that a robot of any look is in a picture of the trial.
+struct RobotPointer
+{
+    std::string robot;
+    std::string view;                                 ///< its camera; empty: what was said of the robot before is taken back
+    double timeS = 0;                                 ///< of the trial; the nearest picture is meant
+    Eigen::Vector2d pixel = Eigen::Vector2d::Zero(); ///< luma pixels
+};
+
 struct TrackSettings
 {
     std::vector<std::string> robots; ///< names; empty: those of the trial, or else all of the project
@@ -21,6 +30,7 @@ struct TrackSettings
     /// (registrations, the robot's size, overrules).
     bool again = false;
     std::map<std::string, std::vector<Overrule>> overrules; ///< by robot, in place of the stored ones
+    std::vector<RobotPointer> pointers; ///< kept with the trial, in place of what was said of the same robot and view
 };
 
 /// What tracking gave for one robot, as the command line prints it.
@@ -46,7 +56,7 @@ struct TrackOutcome
 
 /// Tracks the robots of a trial in all its views and analyses them by its task: observations and a new analysis each are
 /// stored.
-/// What a person has overruled stays in force. Of a trial whose tracks were imported there is nothing to track: it can
+/// What a person has overruled or pointed out stays in force. Of a trial whose tracks were imported there is nothing to track: it can
 /// only be analysed `again`, from the imported positions; InvalidInput otherwise.
 class TrackJob : public Job
 {

@@ -21,6 +21,7 @@ namespace {
 
 constexpr const char *colourVersion = "colour-ellipse 1", *silhouetteVersion = "silhouette 1"; // of what found the robot
 constexpr std::size_t framesAhead = 8;
+constexpr std::size_t othersFollowed = 5; // that may be robots of any look
 
 /// Counts the pictures of all views and reports now and then; any thread.
 class SharedProgress
@@ -71,7 +72,7 @@ Result<std::unique_ptr<RobotTracker>> trackerFor(const RegisteredView &view, con
             return tl::unexpected(learned.error());
         background = std::move(*learned);
     }
-    return RobotTracker::create(targets, std::move(background), view.floorView);
+    return RobotTracker::create(targets, std::move(background), view.floorView, othersFollowed);
 }
 
 Result<TrackedView> trackView(const RegisteredView &view, const std::vector<RobotRecord> &robots, const std::vector<TrackTarget> &targets,
@@ -115,6 +116,10 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
             *tracker ? (*tracker)->track(**frame) : std::vector<Observation>{};
         for (std::size_t r = 0; r < observations.size(); ++r)
             tracked.series[r].observations.push_back(observations[r]);
+        const std::vector<Observation> none, &others = *tracker ? (*tracker)->others() : none;
+        tracked.others.resize(others.size());
+        for (std::size_t i = 0; i < others.size(); ++i)
+            tracked.others[i].push_back(others[i]);
         ++tracked.frames;
         progress.countPicture();
     }

@@ -14,6 +14,8 @@ namespace odo {
 struct TrackedView
 {
     std::vector<ObservationSeries> series;
+    /// Likewise of each other thing that was followed, where a robot is of any look: it may be the robot (settleNames).
+    std::vector<std::vector<Observation>> others;
     std::int64_t frames = 0;
     std::int64_t damagedFrames = 0;
     Nanoseconds decodeCpuTime{0};

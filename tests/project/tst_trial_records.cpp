@@ -309,6 +309,23 @@ private Q_SLOTS:
         QVERIFY(!(*m_project)->trials().setOverrules(filled->trial + 99, filled->robot, {{1, true}}));
     }
 
+    void pointedOutRobotsRoundTripAndAreReplaced()
+    {
+        const auto filled = fill(**m_project, m_source);
+        QVERIFY(filled.has_value());
+        const auto said = [&] { return (*m_project)->trials().pointedOut(filled->trial).value(); };
+        QVERIFY(said().empty());
+        const PointedOutRobot first{filled->robot, filled->recordings[0], 7, {1.0 / 3, 719}}, second{filled->robot, filled->recordings[1], 0, {0, 12.5}};
+        QVERIFY((*m_project)->trials().setPointedOut(filled->trial, {first, second}));
+        m_project->reopen();
+        QVERIFY((said() == std::vector<PointedOutRobot>{first, second}));
+        // Two places in one recording: refused, and the old ones stay.
+        QVERIFY(!(*m_project)->trials().setPointedOut(filled->trial, {first, first}));
+        QCOMPARE(said().size(), std::size_t(2));
+        QVERIFY((*m_project)->trials().setPointedOut(filled->trial, {second}));
+        QVERIFY((said() == std::vector<PointedOutRobot>{second}));
+    }
+
     void truthRoundTripsAndIsReplaced()
     {
         const auto filled = fill(**m_project, m_source);

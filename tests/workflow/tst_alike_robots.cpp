@@ -128,7 +128,7 @@ void measure(const SimulatedScene &scene, AlikeFigures &figures)
         robots[i].name = scene.robots[i].name;
     auto tracked = trackViews(*views, robots, {});
     QVERIFY2(tracked, tracked ? "" : tracked.error().message().c_str());
-    const std::vector<NameDoubt> doubts = settleNames(*views, robots, *tracked);
+    const std::vector<NameDoubt> doubts = settleNames(*views, robots, *tracked).value();
     for (const NameDoubt &doubt : doubts)
         figures.doubtfulS += doubt.toS - doubt.fromS;
     figures.wholeS += durationS * double(robots.size());

@@ -31,6 +31,7 @@
 #include "ui/record/record_page.h"
 #include "ui/review/review_desk.h"
 #include "ui/review/review_page.h"
+#include "ui/review/robot_pointing.h"
 #include "ui/review/spike_actions.h"
 #include "ui/testbed/testbed_page.h"
 #include "ui/views/command_names.h"
@@ -300,6 +301,7 @@ void MainWindow::addPage(Mode mode)
         connect(review, &ReviewPage::importRequested, m_trials, askImport);
         connect(review, &ReviewPage::trackRequested, m_trials, &TrialActions::askTrack);
         connect(&review->spikes(), &SpikeActions::said, m_trials, &TrialActions::overrule);
+        connect(&review->pointing(), &RobotPointing::said, m_trials, &TrialActions::pointOut);
         showDesk(m_pages->mode());
         m_help->setPages(m_pages.get());
         break;

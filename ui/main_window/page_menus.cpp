@@ -8,6 +8,7 @@
 #include "ui/models/timeline.h"
 #include "ui/record/record_page.h"
 #include "ui/review/review_page.h"
+#include "ui/review/robot_pointing.h"
 #include "ui/review/spike_actions.h"
 #include "ui/review/trial_chooser.h"
 #include "ui/testbed/testbed_page.h"
@@ -59,6 +60,7 @@ void PageMenus::add(ProjectPages &pages, WindowMode mode)
         ReviewPage &review = pages.review();
         m_trial->insertActions(m_play->menuAction(),
                                {review.chooser().previousAction(), review.chooser().nextAction()});
+        m_trial->insertAction(m_play->menuAction(), review.pointing().action());
         fill(*m_spikes, review.spikes().actions());
         return fill(*m_play, review.timeline().actions());
     }

@@ -232,6 +232,11 @@ void TrialActions::askTrack(const QString &trial)
     TrackSettings settings = dialog.settings();
     const auto imported = importedTracksOf(project, *record);
     settings.again = imported && !imported->empty(); // there is no video to track in
+    startTracking(trial, std::move(settings));
+}
+
+void TrialActions::startTracking(const QString &trial, TrackSettings settings)
+{
     const auto job = std::make_shared<TrackJob>(trial.toStdString(), std::move(settings));
     tellFailure(m_workspace.start(job, tr("Tracking %1").arg(trial), [this, job] {
         Q_EMIT trialTracked(QString::fromStdString(job->outcome().trial));
@@ -239,15 +244,28 @@ void TrialActions::askTrack(const QString &trial)
     }));
 }
 
-void TrialActions::overrule(const OverruleRequest &word)
+void TrialActions::pointOut(const QString &trial, const RobotPointer &pointer)
 {
-    if (m_workspace.isReadOnly()) {
-        Q_EMIT failed(fail(ErrorCode::InvalidInput, tr("the sample").toStdString(),
-                           tr("this project can only be read").toStdString(),
+    if (!mayChange(tr("the trial")))
+        return;
+    TrackSettings settings;
+    settings.pointers = {pointer};
+    startTracking(trial, std::move(settings));
+}
+
+bool TrialActions::mayChange(const QString &what)
+{
+    if (m_workspace.isReadOnly())
+        Q_EMIT failed(fail(ErrorCode::InvalidInput, what.toStdString(), tr("this project can only be read").toStdString(),
                            tr("save a copy and work on that").toStdString())
                           .value());
+    return !m_workspace.isReadOnly();
+}
+
+void TrialActions::overrule(const OverruleRequest &word)
+{
+    if (!mayChange(tr("the sample")))
         return;
-    }
     const auto job = std::make_shared<OverruleJob>(word);
     const QString trial = QString::fromStdString(word.trial);
     tellFailure(m_workspace.start(job, tr("Measuring %1 again").arg(trial), [this, job, trial] {

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/workflow/overrule_job.h"
+#include "core/workflow/track_job.h"
 
 #include <QObject>
 #include <QStringList>
@@ -32,6 +33,8 @@ public:
     void askTrack(const QString &trial);
     /// Stores a person's word on a sample and analyses the trial again.
     void overrule(const OverruleRequest &word);
+    /// Stores where a person says that a robot is, and tracks the trial again.
+    void pointOut(const QString &trial, const RobotPointer &pointer);
 
 Q_SIGNALS:
     void failed(const odo::Error &error);
@@ -45,6 +48,8 @@ private:
     bool askRobot();
     void updateActions();
     void tellFailure(const Result<void> &result);
+    bool mayChange(const QString &what);
+    void startTracking(const QString &trial, TrackSettings settings);
     /// Of either way of importing.
     template <class ImportJob> void startImport(const std::shared_ptr<ImportJob> &job, const std::string &trial);
 

@@ -63,6 +63,13 @@ void ReviewDesk::showOutlines(bool shown)
         view->setOutlinesShown(shown);
 }
 
+void ReviewDesk::setPointing(bool pointing)
+{
+    m_isPointing = pointing;
+    for (CameraView *view : m_views)
+        view->setPointing(pointing);
+}
+
 QList<Quantity> ReviewDesk::quantities() const
 {
     return {m_speed->quantity(), m_acceleration->quantity()};
@@ -85,7 +92,10 @@ void ReviewDesk::setViewCount(std::size_t count)
         view->setMinimumWidth(180);
         view->setOutlinesShown(m_outlines->isChecked());
         middle().insertWidget(static_cast<int>(m_views.size()), view);
+        view->setPointing(m_isPointing);
         connect(view, &CameraView::settled, this, &ReviewDesk::settled);
+        connect(view, &CameraView::pointedAt, this,
+                [this, number = m_views.size()](const QPointF &pixel, const QPoint &global) { Q_EMIT pointedAt(number, pixel, global); });
         m_views.push_back(view);
     }
 }

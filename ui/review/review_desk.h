@@ -36,10 +36,14 @@ public:
     QList<Quantity> quantities() const;
     /// Drawn over the curve that it is of; nullopt: none.
     void setFit(const std::optional<FitOverlay> &fit);
+    /// While a place in a picture is asked for.
+    void setPointing(bool pointing);
 
 Q_SIGNALS:
     void settled();
     void quantitiesChanged();
+    /// In pixels of a view's recording, and on the screen.
+    void pointedAt(std::size_t view, const QPointF &pixel, const QPoint &global);
 
 private:
     void setViewCount(std::size_t count);
@@ -50,6 +54,7 @@ private:
     FloorMap *m_map;
     ChartSpan *m_span;
     ProfileChart *m_speed, *m_acceleration;
+    bool m_isPointing = false;
     QAction *m_outlines; ///< kept in the settings
 };
 

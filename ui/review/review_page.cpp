@@ -9,6 +9,7 @@
 #include "ui/review/range_card.h"
 #include "ui/review/review_column.h"
 #include "ui/review/review_desk.h"
+#include "ui/review/robot_pointing.h"
 #include "ui/review/spike_actions.h"
 #include "ui/review/trial_chooser.h"
 #include "ui/views/empty_state.h"
@@ -47,7 +48,7 @@ struct ReviewPage::Reading
 
 ReviewPage::ReviewPage(Project &project, QWidget *parent)
     : QWidget(parent), m_project(project), m_reader(new ProjectReader(project.file(), this)),
-      m_timeline(new Timeline(this)), m_spikes(new SpikeActions(*m_timeline, this)),
+      m_timeline(new Timeline(this)), m_spikes(new SpikeActions(*m_timeline, this)), m_pointing(new RobotPointing(*m_timeline, this)),
       m_stack(new QStackedWidget(this)), m_content(new QWidget(m_stack)), m_chooser(new TrialChooser),
       m_desk(new ReviewDesk(*m_timeline, m_content)), m_timelineBar(new TimelineBar(*m_timeline, m_content)),
       m_column(new ReviewColumn(*m_timeline, m_chooser, m_content)),
@@ -75,7 +76,7 @@ ReviewPage::ReviewPage(Project &project, QWidget *parent)
 
     m_column->spikes().setActions(m_spikes->actions());
     connect(&m_column->spikes(), &SpikeList::robotChosen, m_spikes, &SpikeActions::setRobot);
-    for (QAction *action : m_timeline->actions() + m_desk->viewActions() + m_spikes->actions()) {
+    for (QAction *action : m_timeline->actions() + m_desk->viewActions() + m_spikes->actions() + QList{m_pointing->action()}) {
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
         addAction(action);
     }
@@ -88,6 +89,8 @@ ReviewPage::ReviewPage(Project &project, QWidget *parent)
             Q_EMIT failed(shown.error());
     });
     connect(m_desk, &ReviewDesk::settled, this, &ReviewPage::showSettled);
+    connect(m_desk, &ReviewDesk::pointedAt, m_pointing, &RobotPointing::ask);
+    connect(m_pointing->action(), &QAction::toggled, m_desk, &ReviewDesk::setPointing);
     connect(m_desk, &ReviewDesk::quantitiesChanged, this, [this] { m_column->range().setQuantities(m_desk->quantities()); });
     connect(&m_column->range(), &RangeCard::fitChanged, m_desk, &ReviewDesk::setFit);
     m_column->range().setQuantities(m_desk->quantities());
@@ -189,6 +192,7 @@ void ReviewPage::adopt(TrialScenePtr scene)
     m_desk->setScene(m_scene);
     m_timelineBar->setScene(m_scene);
     m_spikes->setScene(m_scene);
+    m_pointing->setScene(m_scene);
     m_column->setScene(m_scene);
     m_chooser->setCurrent(trial());
     m_stack->setCurrentIndex(m_scene ? 0 : 1);

@@ -15,6 +15,7 @@ class Project;
 class ProjectReader;
 class ReviewColumn;
 class ReviewDesk;
+class RobotPointing;
 class SpikeActions;
 class Timeline;
 class TimelineBar;
@@ -43,6 +44,7 @@ public:
     Timeline &timeline() const { return *m_timeline; }
     TrialChooser &chooser() const { return *m_chooser; }
     SpikeActions &spikes() const { return *m_spikes; }
+    RobotPointing &pointing() const { return *m_pointing; }
     ReviewDesk &desk() const { return *m_desk; }
     /// The trial is read, and every picture that belongs to the present time is on screen, or cannot be had.
     bool isSettled() const;
@@ -73,6 +75,7 @@ private:
     bool m_isListStale = false;
     Timeline *m_timeline;
     SpikeActions *m_spikes;
+    RobotPointing *m_pointing;
     QStackedWidget *m_stack;
     QWidget *m_content; ///< of a trial; what is in it is made there
     TrialChooser *m_chooser;

@@ -43,6 +43,7 @@ CameraView::CameraView(Timeline &timeline, QWidget *parent)
     setContent(m_area);
     m_area->setAccessibleName(tr("Picture of the camera"));
     connect(m_area, &PictureArea::settled, this, &CameraView::settled);
+    connect(m_area, &PictureArea::pointedAt, this, &CameraView::pointedAt);
 }
 
 CameraView::~CameraView() = default;
@@ -70,6 +71,11 @@ void CameraView::setRobotColour(const QColor &colour)
 void CameraView::setOutlinesShown(bool shown)
 {
     m_area->setOutlinesShown(shown);
+}
+
+void CameraView::setPointing(bool pointing)
+{
+    m_area->setPointing(pointing);
 }
 
 bool CameraView::isSettled() const

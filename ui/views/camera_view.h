@@ -30,6 +30,8 @@ public:
     void setRobotColour(const QColor &colour);
     /// Whether the outlines of what was taken for the robots are drawn; they are unless told otherwise.
     void setOutlinesShown(bool shown);
+    /// While a place in the picture is asked for, a click gives it; the menu key of the mouse gives it always.
+    void setPointing(bool pointing);
     /// True when the picture that belongs to the current time is shown (or cannot be had).
     bool isSettled() const;
 
@@ -39,6 +41,8 @@ public:
 
 Q_SIGNALS:
     void settled();
+    /// In pixels of the recording's picture, and on the screen.
+    void pointedAt(const QPointF &pixel, const QPoint &global);
 
 private:
     PictureArea *m_area;

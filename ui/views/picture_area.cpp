@@ -6,7 +6,8 @@
 #include "ui/views/picture_overlay.h"
 #include "ui/views/theme.h"
 
-#include <QEvent>
+#include <QContextMenuEvent>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QStringList>
 #include <utility>
@@ -119,6 +120,33 @@ QSize PictureArea::pictureSize() const
 QRectF PictureArea::pictureRect() const
 {
     return fittedRect(pictureSize(), QSizeF(size()), devicePixelRatioF());
+}
+
+void PictureArea::setPointing(bool pointing)
+{
+    m_isPointing = pointing;
+    setCursor(pointing ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
+/// Whether there is a picture at a place of the widget.
+bool PictureArea::pointAt(const QPoint &place, const QPoint &global)
+{
+    if (!sceneView() || m_picture.isNull() || !pictureRect().contains(place))
+        return false;
+    Q_EMIT pointedAt(toPicturePixel(place, pictureSize(), pictureRect()), global);
+    return true;
+}
+
+void PictureArea::mousePressEvent(QMouseEvent *event)
+{
+    if (!m_isPointing || event->button() != Qt::LeftButton || !pointAt(event->position().toPoint(), event->globalPosition().toPoint()))
+        QWidget::mousePressEvent(event);
+}
+
+void PictureArea::contextMenuEvent(QContextMenuEvent *event)
+{
+    if (event->reason() != QContextMenuEvent::Mouse || !pointAt(event->pos(), event->globalPos()))
+        QWidget::contextMenuEvent(event);
 }
 
 QPointF PictureArea::fromPicture(const QPointF &pixel) const

@@ -23,6 +23,7 @@ public:
     void setOverlay(PictureOverlay overlay);
     void setRobotColour(const QColor &colour);
     void setOutlinesShown(bool shown);
+    void setPointing(bool pointing);
     bool isSettled() const;
     QPointF fromPicture(const QPointF &pixel) const;
 
@@ -31,12 +32,15 @@ public:
 
 Q_SIGNALS:
     void settled();
+    void pointedAt(const QPointF &pixel, const QPoint &global);
 
 protected:
     void paintEvent(QPaintEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     void changeEvent(QEvent *event) override;
     void showEvent(QShowEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void contextMenuEvent(QContextMenuEvent *event) override;
 
 private:
     const SceneView *sceneView() const;
@@ -46,6 +50,7 @@ private:
     void showFailure(qint64 frame, const QString &message);
     QSize pictureSize() const;
     QRectF pictureRect() const;
+    bool pointAt(const QPoint &place, const QPoint &global);
     void renderFloorLayer();
     void paintRobots(QPainter &painter, qint64 frame) const;
     void paintMessage(QPainter &painter, const QString &message) const;
@@ -59,6 +64,7 @@ private:
     QImage m_picture;
     qint64 m_shownFrame = -1; ///< that m_picture is of
     bool m_isOutside = false; ///< of the recording, when a frame was asked for last
+    bool m_isPointing = false;
     QString m_failure;
     QPixmap m_floorLayer; ///< grid, axes and trails; null: to be rendered
 };

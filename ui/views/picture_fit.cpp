@@ -24,4 +24,9 @@ QPointF fromPicturePixel(const QPointF &pixel, const QSize &picturePx, const QRe
                : fitted.topLeft() + (pixel + QPointF(0.5, 0.5)) * (fitted.width() / picturePx.width());
 }
 
+QPointF toPicturePixel(const QPointF &place, const QSize &picturePx, const QRectF &fitted)
+{
+    return picturePx.isEmpty() ? place : (place - fitted.topLeft()) * (picturePx.width() / fitted.width()) - QPointF(0.5, 0.5);
+}
+
 } // namespace odo

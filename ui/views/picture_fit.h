@@ -13,5 +13,7 @@ QRectF fittedRect(const QSize &picturePx, const QSizeF &widget, double devicePix
 
 /// Where a pixel of it lies; pixel (0,0) is the centre of the top-left one.
 QPointF fromPicturePixel(const QPointF &pixel, const QSize &picturePx, const QRectF &fitted);
+/// The other way.
+QPointF toPicturePixel(const QPointF &place, const QSize &picturePx, const QRectF &fitted);
 
 } // namespace odo

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A robot of any look is pointed out in a picture of Review, by a click or by the mouse's menu.
+#include "tests/ui/support/example_scene.h"
+#include "ui/models/timeline.h"
+#include "ui/review/robot_pointing.h"
+#include "ui/views/picture_fit.h"
+
+#include <QAction>
+#include <QMenu>
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace odo;
+
+class TestRobotPointing : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void offersRobotsOfAnyLook()
+    {
+        auto scene = std::make_shared<TrialScene>(*exampleScene({}));
+        for (SceneRobot &robot : scene->robots)
+            robot.robot.colour.reset();
+        scene->robots.front().robot.name = "Rover & co.";
+        Timeline timeline;
+        timeline.setFrameTimes(scene->frameTimes());
+        RobotPointing pointing(timeline);
+        QVERIFY(!pointing.action()->isEnabled());
+        pointing.setScene(scene);
+        QVERIFY(pointing.action()->isEnabled());
+        timeline.setCurrentFrame(10);
+        pointing.action()->setChecked(true);
+
+        RobotPointer told;
+        QString trial;
+        connect(&pointing, &RobotPointing::said, this, [&](const QString &name, const RobotPointer &pointer) {
+            trial = name;
+            told = pointer;
+        });
+        QMenu menu;
+        pointing.fill(menu, 1, {123, 45});
+        QCOMPARE(menu.actions().size(), qsizetype(2 * scene->robots.size() + 1));
+        QCOMPARE(menu.actions().front()->text(), QStringLiteral("This is Rover && co.: track it again"));
+        menu.actions().front()->trigger();
+        QCOMPARE(trial, QString::fromStdString(scene->trial.name));
+        QCOMPARE(told.robot, std::string("Rover & co."));
+        QCOMPARE(told.view, scene->views[1].camera);
+        QCOMPARE(told.timeS, toSeconds(timeline.currentTime()));
+        QVERIFY((told.pixel == Eigen::Vector2d(123, 45)));
+        QVERIFY(!pointing.action()->isChecked());
+        menu.actions().back()->trigger();
+        QVERIFY(told.view.empty());
+    }
+
+    void nothingForColouredOrImported()
+    {
+        auto scene = std::make_shared<TrialScene>(*exampleScene({}));
+        for (SceneRobot &robot : scene->robots)
+            robot.robot.colour = RgbColour{215, 35, 40};
+        Timeline timeline;
+        timeline.setFrameTimes(scene->frameTimes());
+        RobotPointing pointing(timeline);
+        const auto offered = [&] {
+            pointing.setScene(scene);
+            QMenu menu;
+            pointing.fill(menu, 0, {1, 1});
+            return pointing.action()->isEnabled() || !menu.isEmpty();
+        };
+        QVERIFY(!offered());
+        scene->robots.front().robot.colour.reset();
+        QVERIFY(offered());
+        scene->imported.resize(1);
+        QVERIFY(!offered());
+        scene.reset();
+        QVERIFY(!offered());
+    }
+
+    void aPixelIsFoundAgain()
+    {
+        const QRectF fitted = fittedRect({1280, 720}, {400, 300}, 1);
+        const QPointF pixel(321.5, 12.25), there = fromPicturePixel(pixel, {1280, 720}, fitted);
+        const QPointF back = toPicturePixel(there, {1280, 720}, fitted);
+        QVERIFY(qAbs(back.x() - pixel.x()) < 1e-9 && qAbs(back.y() - pixel.y()) < 1e-9);
+    }
+};
+
+QTEST_MAIN(TestRobotPointing)
+#include "tst_robot_pointing.moc"

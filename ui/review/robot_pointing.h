@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/workflow/track_job.h"
+#include "ui/models/trial_scene.h"
+
+#include <QObject>
+
+class QAction;
+class QMenu;
+class QPoint;
+class QPointF;
+
+namespace odo {
+
+class Timeline;
+
+/// Where the tracker took something else for a robot of any look, a person points the robot out in a picture: by a click after the action, or
+/// by the mouse's menu at any time. Who is asked tracks the trial again.
+class RobotPointing : public QObject
+{
+    Q_OBJECT
+public:
+    explicit RobotPointing(Timeline &timeline, QObject *parent = nullptr);
+    ~RobotPointing() override;
+
+    void setScene(TrialScenePtr scene);
+    QAction *action() const { return m_action; } ///< checked while a click is waited for
+    /// What may be said of a pixel of a view's recording at the present time; empty: nothing, for no robot is of any look.
+    void fill(QMenu &menu, std::size_t view, const QPointF &pixel);
+    /// Asks with that menu.
+    void ask(std::size_t view, const QPointF &pixel, const QPoint &global);
+
+Q_SIGNALS:
+    void said(const QString &trial, const odo::RobotPointer &pointer);
+
+private:
+    std::vector<std::string> robots() const;
+    void say(RobotPointer pointer);
+
+    Timeline &m_timeline;
+    TrialScenePtr m_scene;
+    QAction *m_action;
+};
+
+} // namespace odo
