@@ -1,151 +1,98 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/compared_window.h"
 
-#include <opencv2/imgproc.hpp>
+#include "core/tracking/chroma_enlarger.h"
+#include "core/tracking/difference_test.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace odo {
 
 namespace {
 
-constexpr float plainSteps = 6;                    // of the least step: half of black on grey
-constexpr float textureJitter = 0.08F;             // of the luma's slope: what coding and a lens that breathes move, pixels
-constexpr float darkest = 0.40F, lightest = 0.99F; // of the floor in shadow against the floor in light
-constexpr float darkestFloor = 12;                 // code values above black: on a darker one a shadow is not seen
-constexpr int patch = 7;                           // pixels of the patches whose texture is compared
-constexpr float leastPatch = 16, flatness = 0.25F; // of the texture's variance
-constexpr float otherHue = 2.2F;                   // code values, of a patch's mean chroma against that of the floor in shadow
-constexpr float clearTexture = 6;                  // its variance against the noise's
+constexpr int marginPx = 8; // around what differs: as far as an edge's surroundings are looked at
 
-/// A chroma plane about neutral, brought to the resolution of the luma.
-template <class RowOf>
-void enlarge(const FrameFormat &format, const PixelRect &rect, const RowOf &rowOf, int width, int height, cv::Mat1f &into)
+/// Samples of a chroma plane about neutral, times a factor.
+template <class Plane>
+void takeChroma(const ChromaEnlarger &enlarger, const Plane &plane, float factor, cv::Mat1f &into)
 {
-    const int sx = format.chromaShiftX, sy = format.chromaShiftY;
-    const double offsetX = format.chromaOffsetX(), offsetY = format.chromaOffsetY();
-    into.create(rect.height(), rect.width());
-    for (int y = 0; y < into.rows; ++y) {
-        const double at = (rect.y0 + y - offsetY) / (1 << sy);
-        const int y0 = std::clamp(static_cast<int>(std::floor(at)), 0, height - 1), y1 = std::min(y0 + 1, height - 1);
-        const auto fy = static_cast<float>(std::clamp(at - y0, 0.0, 1.0));
-        const std::uint8_t *above = rowOf(y0), *below = rowOf(y1);
-        float *out = into[y];
-        for (int x = 0; x < into.cols; ++x) {
-            const double along = (rect.x0 + x - offsetX) / (1 << sx);
-            const int x0 = std::clamp(static_cast<int>(std::floor(along)), 0, width - 1), x1 = std::min(x0 + 1, width - 1);
-            const auto fx = static_cast<float>(std::clamp(along - x0, 0.0, 1.0));
-            const float top = float(above[x0]) + fx * float(above[x1] - above[x0]);
-            const float bottom = float(below[x0]) + fx * float(below[x1] - below[x0]);
-            out[x] = top + fy * (bottom - top) - 128;
-        }
-    }
+    enlarger.takeSamples(plane.width, plane.height, [&](int y, int first, int last, float *values) {
+        const std::uint8_t *row = plane.row(y);
+        for (int x = first; x < last; ++x)
+            values[x - first] = factor * float(row[x] - LightGain::neutralChroma);
+    }, into);
+}
+
+void keepRow(const std::vector<float> &values, std::int16_t *__restrict into)
+{
+    constexpr float roundingOffset = 32768.5F; // so that casting rounds values of both signs
+    const float *from = values.data();
+    for (std::size_t x = 0; x < values.size(); ++x)
+        into[x] = std::int16_t(std::int32_t(from[x] * ComparedWindow::chromaUnit + roundingOffset) - std::int32_t(roundingOffset));
 }
 
 } // namespace
 
 void ComparedWindow::compare(const Frame &frame, const Background &background, const LightGain &gain, const PixelRect &part)
 {
-    rect = part;
-    read(frame, background, gain);
-    findDifferences(float(LightGain::mostLuma - gain.black));
-    findShade();
+    m_frame = &frame;
+    m_background = &background;
+    m_gain = gain;
+    compareRows(part);
+    placeAround(m_differs.crowded().bounds(), part); // single pixels are noise
 }
 
-void ComparedWindow::read(const Frame &frame, const Background &background, const LightGain &gain)
+float ComparedWindow::chromaNoise2(int x, int y) const
 {
-    luma.create(rect.height(), rect.width());
-    lumaBehind.create(luma.size());
-    lumaNoise2.create(luma.size());
-    chromaNoise2.create(luma.size());
-    const int sx = frame.format.chromaShiftX, sy = frame.format.chromaShiftY;
-    for (int y = 0; y < rect.height(); ++y) {
-        const int cy = std::min((rect.y0 + y) >> sy, frame.u.height - 1);
-        const std::uint8_t *now = frame.y.row(rect.y0 + y), *behind = background.y.row(rect.y0 + y);
-        const std::uint8_t *sigma = background.y.sigmaRow(rect.y0 + y), *uSigma = background.u.sigmaRow(cy), *vSigma = background.v.sigmaRow(cy);
-        for (int x = 0; x < rect.width(); ++x) {
-            const int px = rect.x0 + x, cx = std::min(px >> sx, frame.u.width - 1);
-            luma(y, x) = float(now[px] - gain.black);
-            lumaBehind(y, x) = gain.factor * float(behind[px] - gain.black);
-            lumaNoise2(y, x) = squared(float(sigma[px]) * Background::sigmaUnit);
-            chromaNoise2(y, x) = squared(float(std::max(uSigma[cx], vSigma[cx])) * Background::sigmaUnit);
-        }
-    }
-    const auto enlarged = [&](const auto &plane, cv::Mat1f &into) {
-        enlarge(frame.format, rect, [&](int y) { return plane.row(y); }, plane.width, plane.height, into);
+    const int cx = (m_rect.x0 + x) >> m_background->format.chromaShiftX, cy = (m_rect.y0 + y) >> m_background->format.chromaShiftY;
+    return squared(float(std::max(m_background->u.sigmaRow(cy)[cx], m_background->v.sigmaRow(cy)[cx])) * Background::sigmaUnit);
+}
+
+void ComparedWindow::compareRows(const PixelRect &part)
+{
+    ChromaEnlarger enlarger(m_frame->format, part);
+    takeChroma(enlarger, m_frame->u, 1, m_uSamples);
+    takeChroma(enlarger, m_frame->v, 1, m_vSamples);
+    takeChroma(enlarger, m_background->u, m_gain.factor, m_uBehindSamples);
+    takeChroma(enlarger, m_background->v, m_gain.factor, m_vBehindSamples);
+    const int columns = ChromaEnlarger::roundedWidth(part);
+    for (cv::Mat1s *plane : {&m_uPart, &m_vPart, &m_uBehindPart, &m_vBehindPart})
+        plane->create(part.height(), columns);
+    for (std::vector<std::uint8_t> *marks : {&m_marks, &m_plainMarks, &m_darkMarks})
+        marks->resize(std::size_t(columns));
+    for (BitMask *mask : {&m_differs, &m_plain, &m_darkened})
+        mask->reset(part.width(), part.height());
+    const auto enlarge = [&](int y, const cv::Mat1f &samples, std::vector<float> &row, cv::Mat1s &plane) {
+        enlarger.enlargeRow(samples, y, row.data());
+        keepRow(row, plane[y]);
     };
-    enlarged(frame.u, u);
-    enlarged(frame.v, v);
-    enlarged(background.u, uBehind);
-    enlarged(background.v, vBehind);
-    uBehind *= gain.factor;
-    vBehind *= gain.factor;
-}
-
-void ComparedWindow::findDifferences(float cutOff)
-{
-    differs.create(luma.size());
-    plain.create(luma.size());
-    for (int y = 0; y < luma.rows; ++y) {
-        const float *above = lumaBehind[std::max(0, y - 1)], *here = lumaBehind[y], *below = lumaBehind[std::min(luma.rows - 1, y + 1)];
-        for (int x = 0; x < luma.cols; ++x) {
-            const float slopeX = here[std::min(luma.cols - 1, x + 1)] - here[std::max(0, x - 1)], slopeY = below[x] - above[x];
-            const float noise2 = lumaNoise2(y, x) + squared(textureJitter) * (slopeX * slopeX + slopeY * slopeY);
-            lumaNoise2(y, x) = noise2;
-            const float darker = luma(y, x) - here[x];
-            const float dy = luma(y, x) >= cutOff ? std::max(0.0F, darker) : darker; // it may be as light as foreseen
-            const float du = u(y, x) - uBehind(y, x), dv = v(y, x) - vBehind(y, x);
-            const float excess = dy * dy / noise2 + (du * du + dv * dv) / chromaNoise2(y, x);
-            const float lumaSteps = std::abs(dy) / leastLumaStep, chromaSteps = std::max(std::abs(du), std::abs(dv)) / leastChromaStep;
-            const float steps = std::max(lumaSteps, chromaSteps);
-            differs(y, x) = steps > 1 && excess > differsInSigmas2 ? 1 : 0;
-            plain(y, x) = differs(y, x) && steps > plainSteps ? 1 : 0;
-        }
+    for (int y = 0; y < part.height(); ++y) {
+        m_row.begin(*m_frame, *m_background, m_gain, part, part.y0 + y);
+        enlarge(y, m_uSamples, m_row.u, m_uPart);
+        enlarge(y, m_vSamples, m_row.v, m_vPart);
+        enlarge(y, m_uBehindSamples, m_row.uBehind, m_uBehindPart);
+        enlarge(y, m_vBehindSamples, m_row.vBehind, m_vBehindPart);
+        m_row.markDifferences(m_marks.data(), m_plainMarks.data());
+        m_row.markDarkened(m_darkMarks.data());
+        m_differs.setRow(y, m_marks.data());
+        m_plain.setRow(y, m_plainMarks.data());
+        m_darkened.setRow(y, m_darkMarks.data());
     }
 }
 
-/// Marks what may be floor in shadow: darker by a factor, with the floor's chroma darkened alike. Of a flat surface of the floor's own
-/// hue that could be said too; where the floor behind has texture and what is seen has none, it is no shadow.
-void ComparedWindow::findShade()
+/// Makes the window of what differs in the part.
+void ComparedWindow::placeAround(const PixelRect &found, const PixelRect &part)
 {
-    shade.create(luma.size());
-    byHue = cv::Mat1b::zeros(luma.size());
-    cv::Mat1f mask(luma.size()), seen(luma.size()), behind(luma.size()), offU(luma.size()), offV(luma.size());
-    for (int y = 0; y < luma.rows; ++y) {
-        for (int x = 0; x < luma.cols; ++x) {
-            const float floor = std::max(1.0F, lumaBehind(y, x)), ratio = luma(y, x) / floor;
-            const float tolerance = 3 * std::sqrt(chromaNoise2(y, x)) + 1.5F;
-            const auto isDarkened = [&](float chroma, float chromaBehind) {
-                return std::abs(chroma - ratio * chromaBehind) < tolerance + 0.1F * std::abs(chromaBehind);
-            };
-            const bool mayBe = floor > darkestFloor && ratio > darkest && ratio < lightest && isDarkened(u(y, x), uBehind(y, x)) &&
-                               isDarkened(v(y, x), vBehind(y, x));
-            shade(y, x) = mayBe ? 1 : 0;
-            mask(y, x) = mayBe && differs(y, x) ? 1.0F : 0.0F;
-            seen(y, x) = mask(y, x) * std::log(std::max(1.0F, luma(y, x)));
-            behind(y, x) = mask(y, x) * std::log(floor);
-            offU(y, x) = mask(y, x) * (u(y, x) - ratio * uBehind(y, x));
-            offV(y, x) = mask(y, x) * (v(y, x) - ratio * vBehind(y, x));
-        }
-    }
-    const auto sum = [](const cv::Mat1f &values) {
-        cv::Mat1f result;
-        cv::boxFilter(values, result, -1, {patch, patch}, {-1, -1}, false, cv::BORDER_CONSTANT);
-        return result;
-    };
-    const cv::Mat1f n = sum(mask), i = sum(seen), ii = sum(seen.mul(seen)), b = sum(behind), bb = sum(behind.mul(behind)), du = sum(offU), dv = sum(offV);
-    for (int y = 0; y < luma.rows; ++y) {
-        for (int x = 0; x < luma.cols; ++x) {
-            if (mask(y, x) == 0 || n(y, x) < leastPatch)
-                continue;
-            const float varI = ii(y, x) / n(y, x) - squared(i(y, x) / n(y, x)), varB = bb(y, x) / n(y, x) - squared(b(y, x) / n(y, x));
-            const float noise = lumaNoise2(y, x) / squared(std::max(1.0F, luma(y, x)));
-            byHue(y, x) = std::max(std::abs(du(y, x)), std::abs(dv(y, x))) > otherHue * n(y, x) ? 1 : 0;
-            if (byHue(y, x) || (varB > clearTexture * noise && varI < flatness * varB))
-                shade(y, x) = 0;
-        }
-    }
+    const PixelRect within = found.isEmpty() ? PixelRect() : PixelRect{found.x0 - marginPx, found.y0 - marginPx, found.x1 + marginPx, found.y1 + marginPx}.clipped({0, 0, part.width(), part.height()});
+    m_rect = {part.x0 + within.x0, part.y0 + within.y0, part.x0 + within.x1, part.y0 + within.y1};
+    m_differs = m_differs.cropped(within);
+    m_plain = m_plain.cropped(within);
+    m_darkened = m_darkened.cropped(within) &= m_differs;
+    const cv::Rect window(within.x0, within.y0, within.width(), within.height());
+    m_u = m_uPart(window);
+    m_v = m_vPart(window);
+    m_uBehind = m_uBehindPart(window);
+    m_vBehind = m_vBehindPart(window);
 }
 
 } // namespace odo

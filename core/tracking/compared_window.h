@@ -1,42 +1,68 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/tracking/background.h"
-#include "core/tracking/light_gain.h"
+#include "core/tracking/bit_mask.h"
+#include "core/tracking/compared_row.h"
 
 #include <opencv2/core.hpp>
 
 namespace odo {
 
-/// A part of a picture beside its background in the picture's light. Luma above black, chroma about neutral, at the luma's resolution.
-struct ComparedWindow
+/// Luma above black and chroma about neutral, code values.
+struct PixelColour
 {
-    PixelRect rect;
-    cv::Mat1f luma, u, v;
-    cv::Mat1f lumaBehind, uBehind, vBehind;
-    cv::Mat1f lumaNoise2, chromaNoise2; ///< variances
-    cv::Mat1b differs;                  ///< 1 where luma or chroma differ by more than the place varies
-    cv::Mat1b plain;                    ///< 1 where they differ by so much that even a few pixels of it are no noise
-    cv::Mat1b shade;                    ///< 1 where it may be floor in shadow
-    cv::Mat1b byHue;                    ///< 1 where only the mean hue of the pixels around tells it from a shadow: known to some pixels
-
-    /// Compares a part that lies in the frame, whose format is the background's.
-    void compare(const Frame &frame, const Background &background, const LightGain &gain, const PixelRect &part);
-
-private:
-    void read(const Frame &frame, const Background &background, const LightGain &gain);
-    void findDifferences(float cutOff);
-    void findShade();
+    float luma = 0, u = 0, v = 0;
 };
 
-/// Sum of squares in units of the noise beyond which something differs.
-inline constexpr float differsInSigmas2 = 20;
-/// And the least step of it, code values.
-inline constexpr float leastLumaStep = 6, leastChromaStep = 3.5F;
-
-inline float squared(float value)
+/// A frame beside the background in the frame's light, around what differs in a part of the picture. Keeps its memory. One thread at a time.
+class ComparedWindow
 {
-    return value * value;
-}
+public:
+    /// Compares a part of a whole frame of the background's format; the part begins at a multiple of ChromaEnlarger::columnUnit. Frame and background must
+    /// outlive the use of what was found.
+    void compare(const Frame &frame, const Background &background, const LightGain &gain, const PixelRect &part);
+
+    /// The window, around what differs; empty where nothing does. All else is in its pixels.
+    const PixelRect &rect() const { return m_rect; }
+    int width() const { return m_rect.width(); }
+    int height() const { return m_rect.height(); }
+    /// Where luma or chroma differ by more than the place varies.
+    const BitMask &differs() const { return m_differs; }
+    /// Where they do by so much that even a few pixels are no noise.
+    const BitMask &plain() const { return m_plain; }
+    /// Where the floor would look so in a shadow, of what differs.
+    const BitMask &darkened() const { return m_darkened; }
+
+    PixelColour seen(int x, int y) const { return {float(m_frame->y.row(m_rect.y0 + y)[m_rect.x0 + x] - m_gain.black), m_u(y, x) / chromaUnit, m_v(y, x) / chromaUnit}; }
+    PixelColour behind(int x, int y) const
+    {
+        return {m_gain.factor * float(m_background->y.row(m_rect.y0 + y)[m_rect.x0 + x] - m_gain.black), m_uBehind(y, x) / chromaUnit, m_vBehind(y, x) / chromaUnit};
+    }
+    /// Variances of the background.
+    float lumaNoise2(int x, int y) const { return lumaNoise2At(m_background->y, m_gain.factor, m_rect.x0 + x, m_rect.y0 + y); }
+    float chromaNoise2(int x, int y) const;
+
+    /// A row of luma as coded, and of chroma as seen in units of 1 / chromaUnit.
+    const std::uint8_t *lumaRow(int y) const { return m_frame->y.row(m_rect.y0 + y) + m_rect.x0; }
+    const std::int16_t *uRow(int y) const { return m_u[y]; }
+    const std::int16_t *vRow(int y) const { return m_v[y]; }
+    const LightGain &gain() const { return m_gain; }
+    static constexpr float chromaUnit = 32; ///< finer than what enlarging makes between code values
+
+private:
+    void compareRows(const PixelRect &part);
+    void placeAround(const PixelRect &found, const PixelRect &part);
+
+    const Frame *m_frame = nullptr;
+    const Background *m_background = nullptr;
+    LightGain m_gain;
+    PixelRect m_rect;
+    BitMask m_differs, m_plain, m_darkened;
+    cv::Mat1s m_u, m_v, m_uBehind, m_vBehind;                 ///< parts of those below
+    cv::Mat1s m_uPart, m_vPart, m_uBehindPart, m_vBehindPart; ///< of the whole part
+    cv::Mat1f m_uSamples, m_vSamples, m_uBehindSamples, m_vBehindSamples;
+    std::vector<std::uint8_t> m_marks, m_plainMarks, m_darkMarks; ///< of one row
+    ComparedRow m_row;
+};
 
 } // namespace odo

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace odo {
 
@@ -12,7 +11,45 @@ namespace {
 constexpr double comparedSamples = 2000;
 constexpr int codedBlack = 16, leastLuma = 24; // darker is noise
 constexpr float leastFactor = 0.2F, mostFactor = 5;
-constexpr std::size_t fewestRatios = 50;
+constexpr int fewestRatios = 50;
+
+/// Ratios of two lumas, sorted into narrow bins.
+class RatioHistogram
+{
+public:
+    void add(float ratio)
+    {
+        Bin &bin = m_bins[std::min(m_bins.size() - 1, std::size_t(ratio * binsPerOne))];
+        bin.sum += ratio;
+        ++bin.count;
+        ++m_count;
+    }
+    int count() const { return m_count; }
+    /// Of a bin that lies across a quartile, a share at the bin's mean.
+    float meanOfMiddleHalf() const
+    {
+        const int first = m_count / 4, last = m_count - first;
+        double sum = 0;
+        int before = 0;
+        for (const Bin &bin : m_bins) {
+            const int taken = std::min(last, before + bin.count) - std::max(first, before);
+            if (taken > 0)
+                sum += double(bin.sum) * taken / bin.count;
+            before += bin.count;
+        }
+        return float(sum / (last - first));
+    }
+
+private:
+    struct Bin
+    {
+        float sum = 0;
+        int count = 0;
+    };
+    static constexpr float binsPerOne = 256, mostRatio = 10; ///< 235 by 24
+    std::array<Bin, std::size_t(binsPerOne * mostRatio)> m_bins{};
+    int m_count = 0;
+};
 
 } // namespace
 
@@ -20,24 +57,16 @@ LightGain LightGain::between(const PlaneView &plane, const PlaneView &reference,
 {
     LightGain gain{1, fullRange ? 0 : codedBlack};
     const int step = std::max(1, static_cast<int>(std::sqrt(double(plane.width) * plane.height / comparedSamples)));
-    std::vector<float> ratios;
+    RatioHistogram ratios;
     for (int y = step / 2; y < plane.height; y += step) {
         const std::uint8_t *now = plane.row(y), *before = reference.row(y);
         for (int x = step / 2; x < plane.width; x += step) {
             if (std::min(now[x], before[x]) >= leastLuma + gain.black && std::max(now[x], before[x]) <= mostLuma)
-                ratios.push_back(float(now[x] - gain.black) / float(before[x] - gain.black));
+                ratios.add(float(now[x] - gain.black) / float(before[x] - gain.black));
         }
     }
-    if (ratios.size() < fewestRatios)
-        return gain;
-    // The mean of the middle half: the median alone would step with the code values.
-    const auto quarter = static_cast<std::ptrdiff_t>(ratios.size() / 4);
-    std::nth_element(ratios.begin(), ratios.begin() + quarter, ratios.end());
-    std::nth_element(ratios.begin() + quarter, ratios.end() - quarter, ratios.end());
-    double sum = 0;
-    for (auto ratio = ratios.begin() + quarter; ratio != ratios.end() - quarter; ++ratio)
-        sum += double(*ratio);
-    gain.factor = std::clamp(static_cast<float>(sum / double(ratios.size() - 2 * std::size_t(quarter))), leastFactor, mostFactor);
+    if (ratios.count() >= fewestRatios) // the median alone would step with the code values
+        gain.factor = std::clamp(ratios.meanOfMiddleHalf(), leastFactor, mostFactor);
     return gain;
 }
 

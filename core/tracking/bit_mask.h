@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/video/pixel_rect.h"
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace odo {
+
+/// A set of pixels of a rectangular image, one bit each, so that 64 pixels are combined at once. Pixels outside the image belong to no set
+/// unless an argument says so. One thread at a time.
+class BitMask
+{
+    using Word = std::uint64_t;
+    static constexpr int wordBits = 64;
+
+public:
+    BitMask() = default;
+    BitMask(int width, int height) { reset(width, height); }
+    /// An empty set.
+    void reset(int width, int height);
+
+    int width() const { return m_width; }
+    int height() const { return m_height; }
+    bool at(int x, int y) const { return (row(y)[x / wordBits] >> (x % wordBits)) & 1; }
+    void clear(int x, int y) { row(y)[x / wordBits] &= ~(Word(1) << (x % wordBits)); }
+    void set(int x, int y) { row(y)[x / wordBits] |= Word(1) << (x % wordBits); }
+
+    /// Pixels of a row from x0 up to, not including, x1.
+    void setRun(int y, int x0, int x1);
+    void clearRun(int y, int x0, int x1);
+    /// The first pixel of a row from x on that belongs to the set, or does not; the width where there is none.
+    int nextSet(int x, int y) const { return next(x, y, 0); }
+    int nextClear(int x, int y) const { return next(x, y, ~Word(0)); }
+
+    /// Replaces a row by bytes: 1 for pixels of the set, 0 for others.
+    void setRow(int y, const std::uint8_t *values);
+    /// Writes a row of the part that lies in the image as such bytes.
+    void copyRow(int y, int x0, int x1, std::uint8_t *values) const;
+
+    /// A part of the image, which lies in it.
+    BitMask cropped(const PixelRect &part) const;
+    /// The image with so many pixels more on each side, which do not belong to the set.
+    BitMask padded(int margin) const;
+    /// The pixels that do not belong to the set.
+    BitMask complement() const;
+
+    int count() const;
+    bool isEmpty() const;
+    /// The smallest rectangle that holds the set; empty for an empty one.
+    PixelRect bounds() const;
+
+    /// Of sets of one size.
+    BitMask &operator|=(const BitMask &other);
+    BitMask &operator&=(const BitMask &other);
+    /// Removes the pixels of another set.
+    BitMask &operator-=(const BitMask &other);
+
+    /// Dilated and eroded by a disc, which holds the pixels within `radius` of its centre (to half a pixel along the rows), as OpenCV's ellipse
+    /// does. isOutsideSet: whether pixels outside the image count as being in the set.
+    BitMask dilated(int radius, bool isOutsideSet = false) const;
+    BitMask eroded(int radius, bool isOutsideSet = true) const;
+    BitMask opened(int radius) const { return eroded(radius).dilated(radius); }
+    BitMask closed(int radius) const { return dilated(radius).eroded(radius); }
+    /// With the eight neighbours of each pixel.
+    BitMask grown() const;
+    /// Where at least three of the 3 x 3 pixels around belong to the set.
+    BitMask crowded() const;
+
+    /// Calls visit(x, y) for each pixel, row by row.
+    template <class Visit>
+    void forEach(const Visit &visit) const
+    {
+        for (int y = 0; y < m_height; ++y)
+            forEachInRow(y, [&](int x) { visit(x, y); });
+    }
+    /// Calls visit(x) for each pixel of a row.
+    template <class Visit>
+    void forEachInRow(int y, const Visit &visit) const
+    {
+        const Word *words = row(y);
+        for (int w = 0; w < m_words; ++w)
+            for (Word rest = words[w]; rest != 0; rest &= rest - 1)
+                visit(w * wordBits + std::countr_zero(rest));
+    }
+
+private:
+    Word *row(int y) { return m_bits.data() + std::ptrdiff_t(y) * m_words; }
+    const Word *row(int y) const { return m_bits.data() + std::ptrdiff_t(y) * m_words; }
+    Word lastWord() const { return ~Word(0) >> (m_words * wordBits - m_width); } ///< the bits of a row's last word that are pixels
+    int next(int x, int y, Word inverted) const;
+    static Word bitsOf(int x0, int x1) { return (~Word(0) >> (wordBits - (x1 - x0))) << (x0 % wordBits); } ///< of one word
+    void widen(bool isOutsideSet);
+    void addMoved(const BitMask &other, int down);
+
+    int m_width = 0, m_height = 0, m_words = 0;
+    std::vector<Word> m_bits; ///< rows of m_words; bits beyond the width are 0
+};
+
+inline BitMask operator|(BitMask a, const BitMask &b)
+{
+    return a |= b;
+}
+inline BitMask operator&(BitMask a, const BitMask &b)
+{
+    return a &= b;
+}
+inline BitMask operator-(BitMask a, const BitMask &b)
+{
+    return a -= b;
+}
+
+} // namespace odo

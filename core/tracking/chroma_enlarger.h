@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/video/frame.h"
+
+#include <algorithm>
+#include <array>
+#include <opencv2/core.hpp>
+#include <vector>
+
+namespace odo {
+
+/// Brings what is known of the chroma samples of a part of a picture to the luma's resolution, row by row and bilinearly: each sample where its siting
+/// has it; beyond the picture's outermost samples lie their copies. One thread at a time.
+class ChromaEnlarger
+{
+public:
+    /// part: of luma pixels, from a multiple of columnUnit on.
+    ChromaEnlarger(const FrameFormat &format, const PixelRect &part);
+
+    /// So many luma columns belong to whole chroma samples in every format.
+    static constexpr int columnUnit = 4;
+    /// The samples that the part needs; up to one beyond the plane on each side.
+    const PixelRect &samples() const { return m_samples; }
+    /// So many values are written for a row: the part's width, rounded up.
+    static int roundedWidth(const PixelRect &part) { return (part.width() + columnUnit - 1) / columnUnit * columnUnit; }
+
+    /// Makes a plane of the part's samples. valuesOf(row, first, last, into): writes those of a row of the plane from column first to before last.
+    template <class ValuesOf>
+    void takeSamples(int planeWidth, int planeHeight, const ValuesOf &valuesOf, cv::Mat1f &into) const
+    {
+        into.create(m_samples.height(), m_samples.width() + columnUnit);
+        const int first = std::max(0, m_samples.x0), last = std::min(planeWidth, m_samples.x1);
+        for (int y = 0; y < into.rows; ++y) {
+            float *row = into[y];
+            valuesOf(std::clamp(m_samples.y0 + y, 0, planeHeight - 1), first, last, row + (first - m_samples.x0));
+            std::fill(row, row + (first - m_samples.x0), row[first - m_samples.x0]);
+            std::fill(row + (last - m_samples.x0), row + into.cols, row[last - 1 - m_samples.x0]);
+        }
+    }
+    /// Values at the luma pixels of a row of the part, the first of which is row 0.
+    void enlargeRow(const cv::Mat1f &samples, int y, float *into);
+
+private:
+    FrameFormat m_format;
+    PixelRect m_part, m_samples;
+    std::array<int, columnUnit> m_first{};     ///< of each luma column of a chroma sample: the sample to its left, against that one
+    std::array<float, columnUnit> m_beyond{};  ///< and how far beyond it the column lies, in samples
+    std::vector<float> m_blended;              ///< of one row
+};
+
+} // namespace odo

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tracking/background.h"
+#include "core/tracking/bit_mask.h"
+#include "core/tracking/light_gain.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace odo {
+
+/// A frame beside its background on a lattice of every fourth pixel, which shows at little cost where to look closer. Keeps copies of the lattice's
+/// samples. One thread at a time.
+class DifferenceLattice
+{
+public:
+    static constexpr int step = 4; ///< luma pixels between samples, the first of which is half as far from the picture's edge
+
+    DifferenceLattice() = default;
+    explicit DifferenceLattice(const Background &background);
+
+    /// Compares a whole frame of the background's format.
+    void compare(const Frame &frame);
+    /// How much lighter the frame is than the background.
+    const LightGain &gain() const { return m_gain; }
+    /// Where luma or chroma differ by more than the place varies.
+    const BitMask &differences() const { return m_differences; }
+
+private:
+    /// One sample of each plane for every place of the lattice, row by row.
+    struct Samples
+    {
+        std::vector<std::uint8_t> y, u, v;
+    };
+    template <class RowOf>
+    void takePlane(const RowOf &rowOf, int shiftX, int shiftY, std::vector<std::uint8_t> &into) const;
+    void adaptToLight();
+    void compareRow(int j);
+    bool differs(std::size_t inPicture, std::size_t inRow) const;
+
+    FrameFormat m_format;
+    int m_columns = 0, m_rows = 0;
+    Samples m_behind, m_sigmas;
+    std::vector<std::uint8_t> m_luma;           ///< of the frame
+    std::vector<std::uint8_t> m_u, m_v, m_steps; ///< of one row
+    std::vector<std::uint8_t> m_litBehind;      ///< luma of the background in the frame's light
+    std::array<std::uint8_t, 256> m_litTable{}; ///< by which it was made
+    LightGain m_gain;
+    BitMask m_differences;
+};
+
+} // namespace odo

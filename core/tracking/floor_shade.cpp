@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/floor_shade.h"
+
+#include "core/tracking/difference_test.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace odo {
+
+namespace {
+
+constexpr int patchReach = 3;                           // of the patches whose texture is compared, pixels to each side
+constexpr int patchRows = 2 * patchReach + 1;
+constexpr int leastPatch = 16;                     // pixels
+constexpr double flatness = 0.25;                  // of the texture's variance
+constexpr double clearTexture = 6;                 // its variance against the noise's
+constexpr float otherHue = 2.2F;                   // code values, of a patch's mean chroma against that of the floor in shadow
+constexpr float logUnit = 1024, hueUnit = 256;  // of the fixed-point sums: finer than the steps of code values
+
+enum ShadeSum { pixelsSum, seenSum, seen2Sum, behindSum, behind2Sum, offUSum, offVSum };
+
+/// Logarithms of luma above black in units of 1 / logUnit.
+std::array<std::int32_t, 256> makeLogs()
+{
+    std::array<std::int32_t, 256> logs{};
+    for (std::size_t i = 1; i < logs.size(); ++i)
+        logs[i] = std::int32_t(std::lround(logUnit * std::log(float(i))));
+    return logs;
+}
+
+/// n² times the variance of n values, from their sum and the sum of their squares.
+double scaledVariance(double n, double sum, double squares)
+{
+    return n * squares - sum * sum;
+}
+
+} // namespace
+
+void FloorShade::find(const ComparedWindow &window)
+{
+    m_shade = window.darkened();
+    m_byHue.reset(m_shade.width(), m_shade.height());
+    m_box = m_shade.bounds();
+    const std::vector<Sums> none(std::size_t(m_box.width() + 2 * patchReach));
+    m_rows.assign(patchRows, none);
+    m_columns = none;
+    for (int y = m_box.y0; y < m_box.y1 + patchReach; ++y) {
+        addRow(slot(y), -1); // which lies above the patch of the row judged now
+        takeRow(window, y);
+        addRow(slot(y), 1);
+        if (y - patchReach >= m_box.y0)
+            judgeRow(window, y - patchReach);
+    }
+}
+
+std::vector<FloorShade::Sums> &FloorShade::slot(int y)
+{
+    return m_rows[std::size_t(y % patchRows)];
+}
+
+void FloorShade::takeRow(const ComparedWindow &window, int y)
+{
+    static const auto logs = makeLogs();
+    std::vector<Sums> &row = slot(y);
+    std::ranges::fill(row, Sums{});
+    if (y >= m_box.y1)
+        return;
+    const float perGain = 1 / window.gain().factor; // a factor adds to all logarithms, and to no variance
+    window.darkened().forEachInRow(y, [&](int x) {
+        const PixelColour seen = window.seen(x, y), behind = window.behind(x, y);
+        const float ratio = seen.luma / behind.luma;
+        const std::int32_t now = logs[std::size_t(seen.luma)], before = logs[std::size_t(behind.luma * perGain + 0.5F)];
+        const auto offU = std::int32_t(hueUnit * (seen.u - ratio * behind.u)), offV = std::int32_t(hueUnit * (seen.v - ratio * behind.v));
+        row[std::size_t(x - m_box.x0 + patchReach)] = {1, now, now * now, before, before * before, offU, offV, 0};
+    });
+}
+
+void FloorShade::addRow(const std::vector<Sums> &row, int sign)
+{
+    const std::int32_t *from = row.front().data();
+    std::int32_t *__restrict into = m_columns.front().data();
+    const int count = int(row.size() * Sums().size());
+    for (int i = 0; i < count; ++i)
+        into[i] += sign * from[i];
+}
+
+/// Takes from the shade what the patch around it shows to be none.
+void FloorShade::judgeRow(const ComparedWindow &window, int y)
+{
+    window.darkened().forEachInRow(y, [&](int x) {
+        Sums sums{};
+        for (int i = x - m_box.x0; i <= x - m_box.x0 + 2 * patchReach; ++i)
+            for (std::size_t k = 0; k < sums.size(); ++k)
+                sums[k] += m_columns[std::size_t(i)][k];
+        if (sums[pixelsSum] < leastPatch)
+            return;
+        const auto n = double(sums[pixelsSum]);
+        if (std::max(std::abs(sums[offUSum]), std::abs(sums[offVSum])) > otherHue * hueUnit * float(n)) {
+            m_byHue.set(x, y);
+            m_shade.clear(x, y);
+            return;
+        }
+        const double variance = scaledVariance(n, sums[seenSum], sums[seen2Sum]), varianceBehind = scaledVariance(n, sums[behindSum], sums[behind2Sum]);
+        if (variance >= flatness * varianceBehind)
+            return;
+        const float luma = std::max(1.0F, window.seen(x, y).luma);
+        if (varianceBehind * double(squared(luma)) > clearTexture * n * n * double(squared(logUnit) * window.lumaNoise2(x, y)))
+            m_shade.clear(x, y);
+    });
+}
+
+} // namespace odo
