@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 
 namespace odo {
@@ -30,20 +31,22 @@ void BitMask::reset(int width, int height)
     m_bits.assign(std::size_t(m_words) * std::size_t(height), 0);
 }
 
-void BitMask::setRow(int y, const std::uint8_t *values)
+void BitMask::setRow(int y, const std::uint8_t *values, int x0, int x1)
 {
     constexpr int atOnce = 8;
     Word *words = row(y);
-    std::fill_n(words, m_words, 0);
-    int x = 0;
-    for (; x + atOnce <= m_width; x += atOnce) {
+    int x = x0;
+    for (; x + atOnce <= x1; x += atOnce) {
         Word bytes = 0;
-        std::memcpy(&bytes, values + x, atOnce);
-        // Each byte's bit is shifted to a place of its own in the top byte.
-        words[x / wordBits] |= ((bytes * 0x0102040810204080U) >> 56) << (x % wordBits);
+        std::memcpy(&bytes, values + (x - x0), atOnce);
+        const Word bits = (bytes * 0x0102040810204080U) >> 56; // each byte's bit is shifted to a place of its own in the top byte
+        const int shift = x % wordBits;
+        words[x / wordBits] |= bits << shift;
+        if (shift > wordBits - atOnce)
+            words[x / wordBits + 1] |= bits >> (wordBits - shift);
     }
-    for (; x < m_width; ++x)
-        words[x / wordBits] |= Word(values[x]) << (x % wordBits);
+    for (; x < x1; ++x)
+        words[x / wordBits] |= Word(values[x - x0]) << (x % wordBits);
 }
 
 void BitMask::setRun(int y, int x0, int x1)
@@ -74,6 +77,17 @@ int BitMask::next(int x, int y, Word inverted) const
     while (rest == 0 && ++w < m_words)
         rest = words[w] ^ inverted;
     return rest == 0 ? m_width : std::min(m_width, w * wordBits + std::countr_zero(rest));
+}
+
+int BitMask::lastSet(int x, int y) const
+{
+    const Word *words = row(y);
+    for (int end = x; end > 0; end = (end - 1) / wordBits * wordBits) {
+        const int w = (end - 1) / wordBits;
+        if (const Word rest = words[w] & bitsOf(w * wordBits, end); rest != 0)
+            return (w + 1) * wordBits - 1 - std::countl_zero(rest);
+    }
+    return -1;
 }
 
 void BitMask::copyRow(int y, int x0, int x1, std::uint8_t *values) const
@@ -207,12 +221,12 @@ void BitMask::widen(bool isOutsideSet)
 /// Adds the rows of another set, `down` rows lower.
 void BitMask::addMoved(const BitMask &other, int down)
 {
-    for (int y = std::max(0, down); y < std::min(m_height, m_height + down); ++y) {
-        Word *words = row(y);
-        const Word *from = other.row(y - down);
-        for (int w = 0; w < m_words; ++w)
-            words[w] |= from[w];
-    }
+    const auto skipped = std::min(std::ptrdiff_t(m_bits.size()), std::ptrdiff_t(std::abs(down)) * m_words);
+    const std::ptrdiff_t count = std::ptrdiff_t(m_bits.size()) - skipped;
+    Word *__restrict into = m_bits.data() + (down > 0 ? skipped : 0);
+    const Word *from = other.m_bits.data() + (down > 0 ? 0 : skipped);
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+        into[i] |= from[i];
 }
 
 BitMask BitMask::dilated(int radius, bool isOutsideSet) const

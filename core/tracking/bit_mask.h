@@ -35,10 +35,12 @@ public:
     /// The first pixel of a row from x on that belongs to the set, or does not; the width where there is none.
     int nextSet(int x, int y) const { return next(x, y, 0); }
     int nextClear(int x, int y) const { return next(x, y, ~Word(0)); }
+    /// The last pixel of a row before x that belongs to the set; −1 where there is none.
+    int lastSet(int x, int y) const;
 
-    /// Replaces a row by bytes: 1 for pixels of the set, 0 for others.
-    void setRow(int y, const std::uint8_t *values);
-    /// Writes a row of the part that lies in the image as such bytes.
+    /// Adds the pixels of a row from x0 up to, not including, x1 whose byte is 1, not 0.
+    void setRow(int y, const std::uint8_t *values, int x0, int x1);
+    /// Writes pixels of a row as such bytes.
     void copyRow(int y, int x0, int x1, std::uint8_t *values) const;
 
     /// A part of the image, which lies in it.

@@ -37,15 +37,16 @@ ChromaEnlarger::ChromaEnlarger(const FrameFormat &format, const PixelRect &part)
     m_blended.resize(std::size_t(m_samples.width() + columnUnit));
 }
 
-void ChromaEnlarger::enlargeRow(const cv::Mat1f &samples, int y, float *into)
+void ChromaEnlarger::enlargeRow(const cv::Mat1f &samples, int y, int first, int last, float *into)
 {
+    const int shift = m_format.chromaShiftX, skipped = first >> shift, count = rounded(last - first) >> shift;
     const double at = (m_part.y0 + y - m_format.chromaOffsetY()) / (1 << m_format.chromaShiftY), above = std::floor(at);
     const auto share = float(at - above);
-    const float *upper = samples[int(above) - m_samples.y0], *lower = samples[int(above) - m_samples.y0 + 1];
+    const float *upper = samples[int(above) - m_samples.y0] + skipped, *lower = samples[int(above) - m_samples.y0 + 1] + skipped;
     float *blended = m_blended.data();
-    for (int x = 0; x < samples.cols; ++x)
+    const int needed = std::min(count + 2, samples.cols - skipped);
+    for (int x = 0; x < needed; ++x)
         blended[x] = upper[x] + share * (lower[x] - upper[x]);
-    const int shift = m_format.chromaShiftX, count = roundedWidth(m_part) >> shift;
     if (shift == 0)
         widenRow<1>(blended, m_first.data(), m_beyond.data(), count, into);
     else if (shift == 1)

@@ -22,8 +22,8 @@ public:
     static constexpr int columnUnit = 4;
     /// The samples that the part needs; up to one beyond the plane on each side.
     const PixelRect &samples() const { return m_samples; }
-    /// So many values are written for a row: the part's width, rounded up.
-    static int roundedWidth(const PixelRect &part) { return (part.width() + columnUnit - 1) / columnUnit * columnUnit; }
+    /// So many values are written for so many columns.
+    static int rounded(int columns) { return (columns + columnUnit - 1) / columnUnit * columnUnit; }
 
     /// Makes a plane of the part's samples. valuesOf(row, first, last, into): writes those of a row of the plane from column first to before last.
     template <class ValuesOf>
@@ -38,8 +38,8 @@ public:
             std::fill(row + (last - m_samples.x0), row + into.cols, row[last - 1 - m_samples.x0]);
         }
     }
-    /// Values at the luma pixels of a row of the part, the first of which is row 0.
-    void enlargeRow(const cv::Mat1f &samples, int y, float *into);
+    /// Values at luma pixels of a row of the part, whose first is row 0, from column first, a multiple of columnUnit, to before last or a few more.
+    void enlargeRow(const cv::Mat1f &samples, int y, int first, int last, float *into);
 
 private:
     FrameFormat m_format;

@@ -76,7 +76,7 @@ void ComparedRow::begin(const Frame &frame, const Background &background, const 
     m_now = frame.y.row(y) + part.x0;
     m_behind = background.y.row(y) + part.x0;
     for (std::vector<float> *row : {&u, &v, &uBehind, &vBehind, &m_lumaNoise2, &m_chromaSigma})
-        row->resize(std::size_t(ChromaEnlarger::roundedWidth(part)));
+        row->resize(std::size_t(ChromaEnlarger::rounded(part.width())));
     readLumaNoise(background.y, gain.factor, part, y, m_lumaNoise2.data());
     readChromaSigma(background, part, y, m_chromaSigma.data());
     if (y + windowRowsAhead < part.y1) {
@@ -106,17 +106,17 @@ void ComparedRow::markDifferences(std::uint8_t *__restrict differs, std::uint8_t
     }
 }
 
-void ComparedRow::markDarkened(std::uint8_t *__restrict darkened) const
+void ComparedRow::markDarkened(int first, int last, std::uint8_t *__restrict darkened) const
 {
     const std::uint8_t *now = m_now, *behind = m_behind;
     const float *us = u.data(), *vs = v.data(), *usBehind = uBehind.data(), *vsBehind = vBehind.data(), *chromaSigma = m_chromaSigma.data();
     const float black = m_black, factor = m_factor;
-    for (int x = 0; x < m_width; ++x) {
+    for (int x = first; x < last; ++x) {
         const float luma = float(now[x]) - black, floor = factor * (float(behind[x]) - black), tolerance = 3 * chromaSigma[x] + 1.5F;
         const float beyondLuma = std::max(darkestFloor - floor, std::max(darkest * floor - luma, luma - lightest * floor));
         const float beyondU = std::abs(us[x] * floor - luma * usBehind[x]) - (tolerance + 0.1F * std::abs(usBehind[x])) * floor;
         const float beyondV = std::abs(vs[x] * floor - luma * vsBehind[x]) - (tolerance + 0.1F * std::abs(vsBehind[x])) * floor;
-        darkened[x] = std::max(beyondLuma, std::max(beyondU, beyondV)) < 0 ? 1 : 0;
+        darkened[x - first] = std::max(beyondLuma, std::max(beyondU, beyondV)) < 0 ? 1 : 0;
     }
 }
 

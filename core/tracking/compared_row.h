@@ -21,8 +21,8 @@ public:
 
     /// Where luma or chroma differ by more than the place varies, and where by so much that even a few pixels are no noise: bytes of 0 or 1.
     void markDifferences(std::uint8_t *__restrict differs, std::uint8_t *__restrict plain) const;
-    /// Where the floor would look so in a shadow: darker by a factor, the chroma alike.
-    void markDarkened(std::uint8_t *__restrict darkened) const;
+    /// Where the floor would look so in a shadow: darker by a factor, the chroma alike. Bytes of columns first up to, not including, last.
+    void markDarkened(int first, int last, std::uint8_t *__restrict darkened) const;
 
 private:
     int m_width = 0;

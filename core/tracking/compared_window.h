@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/tracking/bit_mask.h"
+#include "core/tracking/chroma_enlarger.h"
 #include "core/tracking/compared_row.h"
+#include "core/tracking/difference_windows.h"
 
 #include <opencv2/core.hpp>
 
@@ -18,11 +20,10 @@ struct PixelColour
 class ComparedWindow
 {
 public:
-    /// Compares a part of a whole frame of the background's format; the part begins at a multiple of ChromaEnlarger::columnUnit. Frame and background must
-    /// outlive the use of what was found.
-    void compare(const Frame &frame, const Background &background, const LightGain &gain, const PixelRect &part);
+    /// Compares a part of a whole frame of the background's format. Frame and background must outlive the use of what was found.
+    void compare(const Frame &frame, const Background &background, const LightGain &gain, const DifferenceWindow &part);
 
-    /// The window, around what differs; empty where nothing does. All else is in its pixels.
+    /// The window, around what differs; empty where nothing does. All else is in its pixels, and known only near what differs.
     const PixelRect &rect() const { return m_rect; }
     int width() const { return m_rect.width(); }
     int height() const { return m_rect.height(); }
@@ -50,7 +51,8 @@ public:
     static constexpr float chromaUnit = 32; ///< finer than what enlarging makes between code values
 
 private:
-    void compareRows(const PixelRect &part);
+    void compareRows(const DifferenceWindow &part);
+    void compareRow(const DifferenceWindow &part, int y, ChromaEnlarger &enlarger);
     void placeAround(const PixelRect &found, const PixelRect &part);
 
     const Frame *m_frame = nullptr;

@@ -15,6 +15,8 @@ public:
     /// touch: by how much runs of two rows may be apart in x; 1: at a corner.
     LinkedRuns(const BitMask &set, int touch)
     {
+        m_runs.reserve(std::size_t(set.height()) * 4);
+        m_leads.reserve(std::size_t(set.height()) * 4);
         std::size_t above = 0, here = 0; // first runs of the two rows
         for (int y = 0; y < set.height(); ++y) {
             above = here;

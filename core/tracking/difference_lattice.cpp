@@ -116,7 +116,7 @@ void DifferenceLattice::compareRow(int j)
     const auto first = std::ptrdiff_t(j) * m_columns;
     findSteps(m_luma.data() + first, m_u.data(), m_v.data(), m_litBehind.data() + first, m_behind.u.data() + first, m_behind.v.data() + first, m_columns,
               m_steps.data());
-    m_differences.setRow(j, m_steps.data());
+    m_differences.setRow(j, m_steps.data(), 0, m_columns);
     m_differences.forEachInRow(j, [&](int i) {
         if (!differs(std::size_t(first + i), std::size_t(i)))
             m_differences.clear(i, j);

@@ -68,12 +68,13 @@ void FloorShade::takeRow(const ComparedWindow &window, int y)
     if (y >= m_box.y1)
         return;
     const float perGain = 1 / window.gain().factor; // a factor adds to all logarithms, and to no variance
+    Sums *sums = row.data() + patchReach;
     window.darkened().forEachInRow(y, [&](int x) {
         const PixelColour seen = window.seen(x, y), behind = window.behind(x, y);
         const float ratio = seen.luma / behind.luma;
-        const std::int32_t now = logs[std::size_t(seen.luma)], before = logs[std::size_t(behind.luma * perGain + 0.5F)];
+        const std::int32_t now = logs[std::size_t(std::int32_t(seen.luma))], before = logs[std::size_t(std::int32_t(behind.luma * perGain + 0.5F))];
         const auto offU = std::int32_t(hueUnit * (seen.u - ratio * behind.u)), offV = std::int32_t(hueUnit * (seen.v - ratio * behind.v));
-        row[std::size_t(x - m_box.x0 + patchReach)] = {1, now, now * now, before, before * before, offU, offV, 0};
+        sums[x - m_box.x0] = {1, now, now * now, before, before * before, offU, offV, 0};
     });
 }
 
@@ -89,26 +90,47 @@ void FloorShade::addRow(const std::vector<Sums> &row, int sign)
 /// Takes from the shade what the patch around it shows to be none.
 void FloorShade::judgeRow(const ComparedWindow &window, int y)
 {
-    window.darkened().forEachInRow(y, [&](int x) {
-        Sums sums{};
-        for (int i = x - m_box.x0; i <= x - m_box.x0 + 2 * patchReach; ++i)
-            for (std::size_t k = 0; k < sums.size(); ++k)
-                sums[k] += m_columns[std::size_t(i)][k];
-        if (sums[pixelsSum] < leastPatch)
-            return;
-        const auto n = double(sums[pixelsSum]);
-        if (std::max(std::abs(sums[offUSum]), std::abs(sums[offVSum])) > otherHue * hueUnit * float(n)) {
-            m_byHue.set(x, y);
-            m_shade.clear(x, y);
-            return;
+    const BitMask &candidates = window.darkened();
+    Sums sums{};
+    const auto add = [&sums](const Sums &column) {
+        for (std::size_t k = 0; k < sums.size(); ++k)
+            sums[k] += column[k];
+    };
+    const auto remove = [&sums](const Sums &column) {
+        for (std::size_t k = 0; k < sums.size(); ++k)
+            sums[k] -= column[k];
+    };
+    std::size_t begin = 0, end = 0; // of the columns that are in the sums
+    candidates.forEachInRow(y, [&](int x) {
+        const auto first = std::size_t(x - m_box.x0), last = first + patchRows;
+        if (first >= end) {
+            sums = Sums{};
+            begin = end = first;
         }
-        const double variance = scaledVariance(n, sums[seenSum], sums[seen2Sum]), varianceBehind = scaledVariance(n, sums[behindSum], sums[behind2Sum]);
-        if (variance >= flatness * varianceBehind)
-            return;
-        const float luma = std::max(1.0F, window.seen(x, y).luma);
-        if (varianceBehind * double(squared(luma)) > clearTexture * n * n * double(squared(logUnit) * window.lumaNoise2(x, y)))
-            m_shade.clear(x, y);
+        for (; begin < first; ++begin)
+            remove(m_columns[begin]);
+        for (; end < last; ++end)
+            add(m_columns[end]);
+        judge(window, sums, x, y);
     });
+}
+
+void FloorShade::judge(const ComparedWindow &window, const Sums &sums, int x, int y)
+{
+    if (sums[pixelsSum] < leastPatch)
+        return;
+    const auto n = double(sums[pixelsSum]);
+    if (std::max(std::abs(sums[offUSum]), std::abs(sums[offVSum])) > otherHue * hueUnit * float(n)) {
+        m_byHue.set(x, y);
+        m_shade.clear(x, y);
+        return;
+    }
+    const double variance = scaledVariance(n, sums[seenSum], sums[seen2Sum]), varianceBehind = scaledVariance(n, sums[behindSum], sums[behind2Sum]);
+    if (variance >= flatness * varianceBehind)
+        return;
+    const float luma = std::max(1.0F, window.seen(x, y).luma);
+    if (varianceBehind * double(squared(luma)) > clearTexture * n * n * double(squared(logUnit) * window.lumaNoise2(x, y)))
+        m_shade.clear(x, y);
 }
 
 } // namespace odo

@@ -28,11 +28,12 @@ private:
 
     void takeRow(const ComparedWindow &window, int y);
     void judgeRow(const ComparedWindow &window, int y);
+    void judge(const ComparedWindow &window, const Sums &sums, int x, int y);
     std::vector<Sums> &slot(int y);
     void addRow(const std::vector<Sums> &row, int sign);
 
     BitMask m_shade, m_byHue;
-    PixelRect m_box;                    ///< of what may be in shadow
+    PixelRect m_box;                       ///< of what may be in shadow
     std::vector<std::vector<Sums>> m_rows; ///< of a patch's height, each with half a patch at both ends
     std::vector<Sums> m_columns;           ///< what they add up to
 };

@@ -19,9 +19,7 @@ class RatioHistogram
 public:
     void add(float ratio)
     {
-        Bin &bin = m_bins[std::min(m_bins.size() - 1, std::size_t(ratio * binsPerOne))];
-        bin.sum += ratio;
-        ++bin.count;
+        m_bins[std::min(m_bins.size() - 1, std::size_t(ratio * binsPerOne))] += one | Bin(ratio * ratioUnit);
         ++m_count;
     }
     int count() const { return m_count; }
@@ -31,22 +29,19 @@ public:
         const int first = m_count / 4, last = m_count - first;
         double sum = 0;
         int before = 0;
-        for (const Bin &bin : m_bins) {
-            const int taken = std::min(last, before + bin.count) - std::max(first, before);
+        for (const Bin bin : m_bins) {
+            const int inBin = int(bin / one), taken = std::min(last, before + inBin) - std::max(first, before);
             if (taken > 0)
-                sum += double(bin.sum) * taken / bin.count;
-            before += bin.count;
+                sum += double(bin % one) / ratioUnit * taken / inBin;
+            before += inBin;
         }
         return float(sum / (last - first));
     }
 
 private:
-    struct Bin
-    {
-        float sum = 0;
-        int count = 0;
-    };
-    static constexpr float binsPerOne = 256, mostRatio = 10; ///< 235 by 24
+    using Bin = std::uint64_t; ///< how many, in units of `one`, and below that the sum of their ratios: both by one addition
+    static constexpr Bin one = Bin(1) << 40;
+    static constexpr float ratioUnit = 65536, binsPerOne = 256, mostRatio = 10; ///< 235 by 24
     std::array<Bin, std::size_t(binsPerOne * mostRatio)> m_bins{};
     int m_count = 0;
 };

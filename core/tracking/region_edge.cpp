@@ -16,23 +16,36 @@ constexpr int sumRows = 2 * hueReach + 2;   // kept of the sums
 constexpr float half = 0.5F;
 constexpr float lightUnit = 4096; // of the fixed-point sum
 
-enum EdgeSum { inside, lumaInside, uInside, vInside, outside, lightOutside };
+constexpr int halfWord = 32, chromaOffset = 32768;
 
-float signedSum(std::uint32_t sum)
+std::uint64_t twoSums(std::uint32_t lower, std::uint32_t upper)
 {
-    return float(std::int32_t(sum));
+    return lower | (std::uint64_t(upper) << halfWord);
 }
 
-/// The part of a pixel that a region covers, from the sums around it; `otherwise` where the two sides look alike.
-float coveredPart(const ComparedWindow &w, const std::array<std::uint32_t, 8> &sums, int x, int y, float otherwise)
+} // namespace
+
+RegionEdge::Sides RegionEdge::sidesOf(const Sums &sums)
 {
-    if (sums[inside] == 0)
+    const auto lower = [](std::uint64_t both) { return float(std::int32_t(both)); };
+    const auto upper = [](std::uint64_t both) { return float(std::int32_t(both >> halfWord)); };
+    Sides sides{lower(sums.insideLuma), lower(sums.outsideLight), {}, 1};
+    if (sides.inside > 0) {
+        const float perPixel = 1 / sides.inside, perChroma = perPixel / ComparedWindow::chromaUnit, offset = float(chromaOffset) * sides.inside;
+        sides.colour = {upper(sums.insideLuma) * perPixel, (lower(sums.chroma) - offset) * perChroma, (upper(sums.chroma) - offset) * perChroma};
+    }
+    if (sides.outside > 0)
+        sides.light = upper(sums.outsideLight) / (lightUnit * sides.outside);
+    return sides;
+}
+
+/// The part of a pixel that a region covers; `otherwise` where the two sides look alike.
+float RegionEdge::coveredPart(const ComparedWindow &w, const Sides &sides, int x, int y, float otherwise)
+{
+    if (sides.inside == 0)
         return otherwise;
-    const float perPixel = 1 / float(sums[inside]), perChroma = perPixel / ComparedWindow::chromaUnit;
-    const float light = sums[outside] > 0 ? float(sums[lightOutside]) / (lightUnit * float(sums[outside])) : 1;
-    const PixelColour seen = w.seen(x, y), lit = w.behind(x, y), behind{light * lit.luma, light * lit.u, light * lit.v};
-    const float dy = signedSum(sums[lumaInside]) * perPixel - behind.luma;
-    const float du = signedSum(sums[uInside]) * perChroma - behind.u, dv = signedSum(sums[vInside]) * perChroma - behind.v;
+    const PixelColour seen = w.seen(x, y), lit = w.behind(x, y), behind{sides.light * lit.luma, sides.light * lit.u, sides.light * lit.v};
+    const float dy = sides.colour.luma - behind.luma, du = sides.colour.u - behind.u, dv = sides.colour.v - behind.v;
     const float lumaNoise2 = w.lumaNoise2(x, y), chromaNoise2 = w.chromaNoise2(x, y);
     const float contrast = dy * dy * chromaNoise2 + (du * du + dv * dv) * lumaNoise2; // times both variances, as `along`
     if (contrast < differsInSigmas2 * lumaNoise2 * chromaNoise2)
@@ -40,8 +53,6 @@ float coveredPart(const ComparedWindow &w, const std::array<std::uint32_t, 8> &s
     const float along = (seen.luma - behind.luma) * dy * chromaNoise2 + ((seen.u - behind.u) * du + (seen.v - behind.v) * dv) * lumaNoise2;
     return std::clamp(along / contrast, 0.0F, 1.0F);
 }
-
-} // namespace
 
 void RegionEdge::measure(const ComparedWindow &w, const FloorShade &shade, const PixelRect &part, const BitMask &region, const BitMask &cut)
 {
@@ -55,8 +66,6 @@ void RegionEdge::measure(const ComparedWindow &w, const FloorShade &shade, const
     m_width = part.width();
     m_height = part.height();
     m_covered.create(m_height, m_width);
-    m_covered = 0;
-    core.forEach([&](int x, int y) { m_covered(y, x) = 1; });
     const BitMask edge = near - core, shaded = shade.shade().cropped(part);
     m_sums.resize(std::size_t(sumRows) * std::size_t(m_width + 1));
     std::fill_n(sumsRow(0), m_width + 1, Sums{});
@@ -66,12 +75,12 @@ void RegionEdge::measure(const ComparedWindow &w, const FloorShade &shade, const
         if (y < 0)
             continue;
         edge.forEachInRow(y, [&](int x) {
-            const Sums sums = around(x, y, soft.at(x, y) ? hueReach : edgeReach);
-            m_covered(y, x) = coveredPart(w, sums, part.x0 + x, part.y0 + y, region.at(x, y) ? 1.0F : 0.0F);
+            const Sides sides = sidesOf(around(x, y, soft.at(x, y) ? hueReach : edgeReach));
+            m_covered(y, x) = coveredPart(w, sides, part.x0 + x, part.y0 + y, region.at(x, y) ? 1.0F : 0.0F);
         });
     }
-    const Sums &all = sumsRow(m_height)[m_width];
-    m_meanChroma = Chroma(signedSum(all[uInside]), signedSum(all[vInside])) / double(ComparedWindow::chromaUnit * float(std::max(1U, all[inside])));
+    const Sides all = sidesOf(sumsRow(m_height)[m_width]);
+    m_meanChroma = Chroma(double(all.colour.u), double(all.colour.v));
     const PixelRect box = near.bounds();
     findPoints(PixelRect{box.x0 - 1, box.y0 - 1, box.x1 + 1, box.y1 + 1}.clipped({0, 0, m_width, m_height}), {w.rect().x0 + part.x0, w.rect().y0 + part.y0});
 }
@@ -81,7 +90,7 @@ RegionEdge::Sums *RegionEdge::sumsRow(int y)
     return m_sums.data() + std::ptrdiff_t(y % sumRows) * (m_width + 1);
 }
 
-/// Of all rows before a row they are known; makes those with it.
+/// Makes the sums of all rows up to a row from those of the rows before it, and begins the row's covered parts.
 void RegionEdge::sumUp(const ComparedWindow &w, const BitMask &shade, const PixelRect &part, const BitMask &core, const BitMask &near, int y)
 {
     for (std::vector<std::uint8_t> *row : {&m_isCore, &m_isNear, &m_isShade})
@@ -91,22 +100,22 @@ void RegionEdge::sumUp(const ComparedWindow &w, const BitMask &shade, const Pixe
     shade.copyRow(y, 0, m_width, m_isShade.data());
     const std::uint8_t *luma = w.lumaRow(part.y0 + y) + part.x0;
     const std::int16_t *u = w.uRow(part.y0 + y) + part.x0, *v = w.vRow(part.y0 + y) + part.x0;
+    float *covered = m_covered[y];
+    for (int x = 0; x < m_width; ++x)
+        covered[x] = m_isCore[std::size_t(x)];
     const Sums *above = sumsRow(y);
     Sums *sums = sumsRow(y + 1), row{};
     sums[0] = row;
     for (int x = 0; x < m_width; ++x) {
         const auto at = std::size_t(x);
         if (m_isCore[at]) {
-            row[inside] += 1;
-            row[lumaInside] += std::uint32_t(luma[x] - w.gain().black);
-            row[uInside] += std::uint32_t(std::int32_t(u[x]));
-            row[vInside] += std::uint32_t(std::int32_t(v[x]));
+            row.insideLuma += twoSums(1, std::uint32_t(luma[x] - w.gain().black));
+            row.chroma += twoSums(std::uint32_t(u[x] + chromaOffset), std::uint32_t(v[x] + chromaOffset));
         } else if (!m_isNear[at]) {
-            row[outside] += 1;
-            row[lightOutside] += std::uint32_t(m_isShade[at] ? lightUnit * w.seen(part.x0 + x, part.y0 + y).luma / w.behind(part.x0 + x, part.y0 + y).luma : lightUnit);
+            const float light = m_isShade[at] ? w.seen(part.x0 + x, part.y0 + y).luma / w.behind(part.x0 + x, part.y0 + y).luma : 1.0F;
+            row.outsideLight += twoSums(1, std::uint32_t(lightUnit * light));
         }
-        for (std::size_t k = 0; k < row.size(); ++k)
-            sums[x + 1][k] = above[x + 1][k] + row[k];
+        sums[x + 1] = {above[x + 1].insideLuma + row.insideLuma, above[x + 1].chroma + row.chroma, above[x + 1].outsideLight + row.outsideLight};
     }
 }
 
@@ -115,34 +124,50 @@ RegionEdge::Sums RegionEdge::around(int x, int y, int reach)
 {
     const int left = std::max(0, x - reach), right = std::min(m_width, x + reach + 1);
     const Sums *above = sumsRow(std::max(0, y - reach)), *below = sumsRow(std::min(m_height, y + reach + 1));
-    Sums sums;
-    for (std::size_t k = 0; k < sums.size(); ++k)
-        sums[k] = below[right][k] - below[left][k] - above[right][k] + above[left][k];
-    return sums;
+    const auto sum = [&](std::uint64_t Sums::*of) { return below[right].*of - below[left].*of - above[right].*of + above[left].*of; };
+    return {sum(&Sums::insideLuma), sum(&Sums::chroma), sum(&Sums::outsideLight)};
 }
 
 void RegionEdge::findPoints(const PixelRect &box, const Eigen::Vector2d &origin)
 {
     m_points.clear();
-    const auto walk = [&](int from, int to, int first, int last, const auto &valueAt, const auto &pointAt) {
+    // Of each line from one end; turn: 1 or −1, to which side a hull turns that goes from line to line.
+    const auto walk = [&](int from, int to, int begin, int end, double turn, const auto &valueAt, const auto &pointAt) {
+        const std::size_t first = m_points.size();
+        const int step = begin < end ? 1 : -1;
         for (int line = from; line < to; ++line) {
-            for (const int step : {1, -1}) {
-                float before = 0;
-                const int begin = step > 0 ? first : last - 1, end = step > 0 ? last : first - 1;
-                for (int at = begin; at != end; at += step) {
-                    const float here = valueAt(line, at);
-                    if (here >= half) {
-                        const double back = at != begin ? double((here - half) / (here - before)) : 0;
-                        m_points.push_back(origin + pointAt(line, at - step * back));
-                        break;
-                    }
-                    before = here;
+            float before = 0;
+            for (int at = begin; at != end; at += step) {
+                const float here = valueAt(line, at);
+                if (here >= half) {
+                    const double back = at != begin ? double((here - half) / (here - before)) : 0;
+                    addToChain(first, turn, origin + pointAt(line, at - step * back));
+                    break;
                 }
+                before = here;
             }
         }
     };
-    walk(box.y0, box.y1, box.x0, box.x1, [&](int y, int x) { return m_covered(y, x); }, [](int y, double x) { return Eigen::Vector2d(x, y); });
-    walk(box.x0, box.x1, box.y0, box.y1, [&](int x, int y) { return m_covered(y, x); }, [](int x, double y) { return Eigen::Vector2d(x, y); });
+    const auto inRow = [&](int y, int x) { return m_covered(y, x); };
+    const auto inColumn = [&](int x, int y) { return m_covered(y, x); };
+    const auto onRow = [](int y, double x) { return Eigen::Vector2d(x, y); };
+    const auto onColumn = [](int x, double y) { return Eigen::Vector2d(x, y); };
+    walk(box.y0, box.y1, box.x0, box.x1, -1, inRow, onRow);
+    walk(box.y0, box.y1, box.x1 - 1, box.x0 - 1, 1, inRow, onRow);
+    walk(box.x0, box.x1, box.y0, box.y1, 1, inColumn, onColumn);
+    walk(box.x0, box.x1, box.y1 - 1, box.y0 - 1, -1, inColumn, onColumn);
+}
+
+/// Adds a point to those from `first` on, of which stay those that a hull may have as corners.
+void RegionEdge::addToChain(std::size_t first, double turn, const Eigen::Vector2d &point)
+{
+    while (m_points.size() >= first + 2) {
+        const Eigen::Vector2d last = m_points.back(), along = last - m_points[m_points.size() - 2], on = point - last;
+        if (turn * (along.x() * on.y() - along.y() * on.x()) > 0)
+            break;
+        m_points.pop_back();
+    }
+    m_points.push_back(point);
 }
 
 } // namespace odo

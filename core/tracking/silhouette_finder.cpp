@@ -64,11 +64,11 @@ std::vector<Eigen::Vector2d> hullOf(const BitMask &set)
 {
     std::vector<Eigen::Vector2d> ends; // of the rows
     for (int y = 0; y < set.height(); ++y) {
-        const std::size_t before = ends.size();
-        set.forEachInRow(y, [&](int x) {
-            ends.resize(std::min(ends.size(), before + 1));
-            ends.emplace_back(x, y);
-        });
+        const int last = set.lastSet(set.width(), y);
+        if (last < 0)
+            continue;
+        ends.emplace_back(set.nextSet(0, y), y);
+        ends.emplace_back(last, y);
     }
     return convexHull(std::move(ends));
 }
@@ -126,14 +126,14 @@ struct SilhouetteFinder::Impl
     std::vector<SeenSilhouette> found;
     int firstPiece = 0; ///< of the window's shadow pieces
 
-    bool look(const Frame &frame, const PixelRect &part);
-    void takeGroup(const Frame &frame, const std::vector<PixelRect> &windows);
+    bool look(const Frame &frame, const DifferenceWindow &part);
+    void takeGroup(const Frame &frame, const std::vector<DifferenceWindow> &windows);
     void takeRegions(const BitMask &taken, const BitMask &clear);
     bool measure(BitMask region, const PixelRect &part, const BitMask &clear, SeenSilhouette &silhouette);
 };
 
 /// Whether anything differs in a part of the picture.
-bool SilhouetteFinder::Impl::look(const Frame &frame, const PixelRect &part)
+bool SilhouetteFinder::Impl::look(const Frame &frame, const DifferenceWindow &part)
 {
     window.compare(frame, background, lattice.gain(), part);
     if (window.rect().isEmpty())
@@ -144,12 +144,12 @@ bool SilhouetteFinder::Impl::look(const Frame &frame, const PixelRect &part)
 
 /// Takes the regions of windows that are near one another: what cannot be a shadow, or where there is nothing of that, all that differs: perhaps it is a
 /// robot of the floor's own hue.
-void SilhouetteFinder::Impl::takeGroup(const Frame &frame, const std::vector<PixelRect> &windows)
+void SilhouetteFinder::Impl::takeGroup(const Frame &frame, const std::vector<DifferenceWindow> &windows)
 {
     const std::size_t foundBefore = found.size();
     const int pieceBefore = firstPiece;
     int pixels = 0;
-    for (const PixelRect &part : windows) {
+    for (const DifferenceWindow &part : windows) {
         if (!look(frame, part))
             continue;
         const BitMask clear = window.differs() - shade.shade();
@@ -161,7 +161,7 @@ void SilhouetteFinder::Impl::takeGroup(const Frame &frame, const std::vector<Pix
         return;
     found.resize(foundBefore);
     firstPiece = pieceBefore;
-    for (const PixelRect &part : windows) {
+    for (const DifferenceWindow &part : windows) {
         const bool isThere = windows.size() == 1 ? !window.rect().isEmpty() : look(frame, part);
         if (isThere)
             takeRegions(window.differs().opened(speckRadius), window.differs() - shade.shade());
@@ -187,7 +187,8 @@ void SilhouetteFinder::Impl::takeRegions(const BitMask &taken, const BitMask &cl
         for (const PixelRun &run : pixels)
             region.setRun(run.y - part.y0, run.x0 - part.x0, run.x1 - part.x0);
         region = withoutHoles(region);
-        region.forEach([&](int x, int y) { enclosed.set(part.x0 + x, part.y0 + y); });
+        for (int y = 0; parts.size() > 1 && y < region.height(); ++y)
+            region.forEachInRow(y, [&](int x) { enclosed.set(part.x0 + x, part.y0 + y); });
         SeenSilhouette silhouette;
         silhouette.box = {window.rect().x0 + box.x0, window.rect().y0 + box.y0, window.rect().x0 + box.x1, window.rect().y0 + box.y1};
         if (isGhost(window, region, part) || !measure(std::move(region), part, clear, silhouette))
@@ -234,7 +235,7 @@ const std::vector<SeenSilhouette> &SilhouetteFinder::find(const Frame &frame)
     const BitMask &differences = d.lattice.differences();
     if (differences.count() > mostShare * differences.width() * differences.height()) // the light of a part of the room, or the camera, has changed
         return d.found;
-    for (const std::vector<PixelRect> &group : windowsAround(differences, {0, 0, frame.y.width, frame.y.height}))
+    for (const std::vector<DifferenceWindow> &group : windowsAround(differences, {0, 0, frame.y.width, frame.y.height}))
         d.takeGroup(frame, group);
     const auto areaOf = [](const SeenSilhouette &one) { return one.moments.areaPx2; };
     std::ranges::sort(d.found, std::greater<>(), areaOf);
