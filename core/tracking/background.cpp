@@ -43,6 +43,17 @@ Frame copied(const Frame &frame)
 /// The same place of all frames: one row of bytes a frame.
 using Samples = std::array<std::array<std::uint8_t, block>, mostFrames>;
 
+/// Puts the lesser of two rows' samples into the one and the greater into the other, column by column.
+void orderRows(std::uint8_t *__restrict lesser, std::uint8_t *__restrict greater)
+{
+    for (std::size_t x = 0; x < block; ++x) {
+        // By arithmetic: of a minimum and a maximum compilers make a branch for each sample.
+        const auto tooMuch = std::uint8_t(std::max(lesser[x], greater[x]) - greater[x]);
+        lesser[x] = std::uint8_t(lesser[x] - tooMuch);
+        greater[x] = std::uint8_t(greater[x] + tooMuch);
+    }
+}
+
 /// Sorts each column of the first `count` rows, all columns at once: Batcher's odd-even merge sort for any count
 /// (Knuth, The Art of Computer Programming 3, 5.2.2, algorithm M).
 void sortColumns(Samples &samples, std::size_t count)
@@ -54,14 +65,8 @@ void sortColumns(Samples &samples, std::size_t count)
         std::size_t q = top, r = 0, d = p;
         while (true) {
             for (std::size_t i = 0; i + d < count; ++i) {
-                if ((i & p) != r)
-                    continue;
-                std::uint8_t *low = samples[i].data(), *high = samples[i + d].data();
-                for (std::size_t x = 0; x < block; ++x) {
-                    const std::uint8_t a = low[x], b = high[x];
-                    low[x] = std::min(a, b);
-                    high[x] = std::max(a, b);
-                }
+                if ((i & p) == r)
+                    orderRows(samples[i].data(), samples[i + d].data());
             }
             if (q == p)
                 break;
@@ -70,6 +75,17 @@ void sortColumns(Samples &samples, std::size_t count)
             r = p;
         }
     }
+}
+
+/// For each distance of a quartile from the median the σ, in sigmaUnit: from the quarter of the samples next to the median on that side where no robot was
+/// seen; the nearer of two sides is the lesser one by chance.
+std::array<std::uint8_t, 256> sigmasOfQuarters()
+{
+    constexpr float sigmaPerQuarter = 1.75F;
+    std::array<std::uint8_t, 256> sigmas{};
+    for (std::size_t i = 0; i < sigmas.size(); ++i)
+        sigmas[i] = std::uint8_t(std::min(255.0F, std::max(Background::leastSigma, sigmaPerQuarter * float(i)) / Background::sigmaUnit + 0.5F));
+    return sigmas;
 }
 
 /// Medians, and σ from a quartile, of one plane. planes: that of each frame; gains: what brings each to the light of the first.
@@ -84,8 +100,7 @@ Background::Plane medianOf(const std::vector<PlaneView> &planes, const std::vect
         tables.push_back(isLuma ? gain.toReference() : gain.chromaToReference());
     const auto [dimmest, lightest] = std::ranges::minmax(gains, {}, &LightGain::factor);
     const bool lightChanges = isLuma && lightest.factor > sameLight * dimmest.factor;
-    // From the quarter of the samples next to the median on that side where no robot was seen; the nearer of two sides is the lesser one by chance.
-    constexpr float sigmaPerQuarter = 1.75F;
+    const auto sigmaOf = sigmasOfQuarters();
     Samples samples;
     for (int y = 0; y < result.height; ++y) {
         for (int x0 = 0; x0 < result.width; x0 += int(block)) {
@@ -93,10 +108,10 @@ Background::Plane medianOf(const std::vector<PlaneView> &planes, const std::vect
             std::array<bool, block> isCutOff{}; // then it is not known what it is in other light
             for (std::size_t f = 0; f < count; ++f) {
                 const std::uint8_t *row = planes[f].row(y) + x0;
-                for (std::size_t x = 0; x < here; ++x) {
+                for (std::size_t x = 0; x < here; ++x)
                     samples[f][x] = tables[f][row[x]];
-                    isCutOff[x] |= lightChanges && row[x] >= LightGain::mostLuma;
-                }
+                for (std::size_t x = 0; lightChanges && x < here; ++x)
+                    isCutOff[x] |= row[x] >= LightGain::mostLuma;
             }
             sortColumns(samples, count);
             std::uint8_t *values = result.values.data() + std::ptrdiff_t(y) * result.width + x0;
@@ -104,8 +119,8 @@ Background::Plane medianOf(const std::vector<PlaneView> &planes, const std::vect
             const auto &median = samples[count / 2], &lower = samples[count / 4], &upper = samples[count - 1 - count / 4];
             for (std::size_t x = 0; x < here; ++x) {
                 values[x] = median[x];
-                const float sigma = std::max(Background::leastSigma, sigmaPerQuarter * float(std::min(upper[x] - median[x], median[x] - lower[x])));
-                sigmas[x] = static_cast<std::uint8_t>(isCutOff[x] ? 255.0F : std::min(255.0F, sigma / Background::sigmaUnit + 0.5F));
+                const int quarter = std::min(upper[x] - median[x], median[x] - lower[x]);
+                sigmas[x] = isCutOff[x] ? std::uint8_t(255) : sigmaOf[std::size_t(quarter)];
             }
         }
     }

@@ -24,11 +24,12 @@ Result<void> registerSimulatedCamera(Project &project, const SimulatedCamera &ca
     return storeRegistration(project, camera.name, record).map([](const auto &) {});
 }
 
-Result<void> addSimulatedRobot(Project &project, const SimulatedRobot &seen)
+Result<void> addSimulatedRobot(Project &project, const SimulatedRobot &seen, bool isColourGiven)
 {
     RobotRecord robot;
     robot.name = seen.name;
-    robot.colour = seen.colour;
+    if (isColourGiven)
+        robot.colour = seen.colour;
     robot.heightMode = RobotRecord::Height::Told;
     robot.heightM = seen.heightM;
     return project.robots().add(robot).map([](const auto &) {});

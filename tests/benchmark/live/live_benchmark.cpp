@@ -25,7 +25,7 @@ namespace {
 
 constexpr int hdWidthPx = 1280, fullHdWidthPx = 1920;
 constexpr double gigeRate = 60, webcamRate = 30;
-constexpr double mostLatencyMs = 100, mostCoresOfWebcams = 0.25;
+constexpr double mostLatencyMs = 100, mostCoresOfWebcams = 0.25, mostCoresOfAnyLook = 0.3;
 /// What is kept of each picture until the run ends (its observation, its times, its place in the file's
 /// index) makes 2 MB of it at 120 pictures a second.
 constexpr double mostGrowthMbPerMinute = 4;
@@ -44,13 +44,14 @@ struct Setup
     std::array<std::string, 2> uris;
     double seconds = 0;
     LiveWindow window = LiveWindow::Shown;
+    LiveRobot robot = LiveRobot::Coloured;
 };
 
 Result<LiveMeasurement> measure(const Setup &setup, const SimulatedScene &scene, const QString &folder,
                                 GigeServers *servers)
 {
     const QTemporaryDir scratch(folder + QStringLiteral("/live-XXXXXX"));
-    const auto project = makeLiveProject(scratch.filePath(QStringLiteral("live.odo")).toStdString(), scene);
+    const auto project = makeLiveProject(scratch.filePath(QStringLiteral("live.odo")).toStdString(), scene, setup.robot == LiveRobot::Coloured);
     if (!project)
         return tl::unexpected(project.error());
     LiveRig rig(**project, setup.open, setup.uris, setup.window);
@@ -81,9 +82,9 @@ Result<LiveMeasurement> measureGige(int widthPx, double framesPerSecond, double 
     return measure(setup, liveScene(widthPx, framesPerSecond).scene, folder, &servers);
 }
 
-Result<LiveMeasurement> measureWebcams(LiveWindow window, double seconds, const QString &folder)
+Result<LiveMeasurement> measureWebcams(LiveWindow window, LiveRobot robot, double seconds, const QString &folder)
 {
-    const LiveScene live = liveScene(hdWidthPx, webcamRate);
+    const LiveScene live = liveScene(hdWidthPx, webcamRate, robot);
     std::map<std::string, JpegPictures> pictures;
     Setup setup;
     setup.uris = {"webcam A", "webcam B"};
@@ -98,6 +99,7 @@ Result<LiveMeasurement> measureWebcams(LiveWindow window, double seconds, const 
     };
     setup.seconds = seconds;
     setup.window = window;
+    setup.robot = robot;
     return measure(setup, live.scene, folder, nullptr);
 }
 
@@ -180,7 +182,7 @@ Order orderFrom(const QApplication &app)
     option("json", "A file for the figures.", QString());
     option("seconds", "How long the two cameras of 60 frames/s are recorded.", QStringLiteral("600"));
     option("short", "How long each of the others is.", QStringLiteral("30"));
-    option("parts", "Which are measured, of gige, webcams, full-hd.", QStringLiteral("gige,webcams,full-hd"));
+    option("parts", "Which are measured, of gige, webcams, any-look, full-hd.", QStringLiteral("gige,webcams,any-look,full-hd"));
     parser.process(app);
     const auto value = [&](const char *name) { return parser.value(QString::fromLatin1(name)); };
     return {value("folder"), value("json"), std::max(5.0, value("seconds").toDouble()),
@@ -210,10 +212,14 @@ bool measureAll(const Order &order, std::vector<Figure> &figures)
         const QString name =
             isShown ? QStringLiteral("MJPEG, 1280x720, 30/s") : QStringLiteral("MJPEG, no window");
         if (order.parts.contains(QStringLiteral("webcams")) &&
-            !take(name, measureWebcams(window, order.shortS, order.folder),
+            !take(name, measureWebcams(window, LiveRobot::Coloured, order.shortS, order.folder),
                   {true, true, false, isShown ? std::nullopt : std::optional(mostCoresOfWebcams)}))
             return false;
     }
+    if (order.parts.contains(QStringLiteral("any-look")) &&
+        !take(QStringLiteral("MJPEG, no window, a robot of any look"),
+              measureWebcams(LiveWindow::Hidden, LiveRobot::AnyLook, order.shortS, order.folder), {true, true, false, mostCoresOfAnyLook}))
+        return false;
     constexpr std::array rates{30.0, 40.0, 50.0, 60.0};
     return !order.parts.contains(QStringLiteral("full-hd")) || std::ranges::all_of(rates, [&](double rate) {
         return take(QStringLiteral("GigE, 1920x1080, %1/s").arg(rate), measureGige(fullHdWidthPx, rate, order.shortS, order.folder), {});

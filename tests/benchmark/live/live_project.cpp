@@ -6,8 +6,8 @@
 
 namespace odo::test {
 
-Result<std::unique_ptr<Project>> makeLiveProject(const std::filesystem::path &file,
-                                                 const SimulatedScene &scene)
+Result<std::unique_ptr<Project>> makeLiveProject(const std::filesystem::path &file, const SimulatedScene &scene,
+                                                 bool isColourGiven)
 {
     auto project = Project::create(file, "Live");
     if (!project)
@@ -20,7 +20,7 @@ Result<std::unique_ptr<Project>> makeLiveProject(const std::filesystem::path &fi
             return tl::unexpected(stored.error());
     }
     for (const SimulatedRobot &robot : scene.robots) {
-        if (const auto added = addSimulatedRobot(**project, robot); !added)
+        if (const auto added = addSimulatedRobot(**project, robot, isColourGiven); !added)
             return tl::unexpected(added.error());
     }
     return project;

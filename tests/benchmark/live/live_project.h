@@ -9,7 +9,8 @@
 namespace odo::test {
 
 /// A project with the floor, the cameras (registered by the markers' true pixels) and the robots of a scene.
-Result<std::unique_ptr<Project>> makeLiveProject(const std::filesystem::path &file,
-                                                 const SimulatedScene &scene);
+/// isColourGiven: whether the robots are followed by their colours; otherwise by their silhouettes.
+Result<std::unique_ptr<Project>> makeLiveProject(const std::filesystem::path &file, const SimulatedScene &scene,
+                                                 bool isColourGiven);
 
 } // namespace odo::test

@@ -2,6 +2,7 @@
 #include "tests/benchmark/live/live_scene_setup.h"
 
 #include "core/simulation/demo_testbed.h"
+#include "tests/acceptance/scenes/look_robots.h"
 
 #include <numbers>
 
@@ -27,14 +28,15 @@ FloorView enlarged(const FloorView &view, double factor)
 
 } // namespace
 
-LiveScene liveScene(int widthPx, double framesPerSecond)
+LiveScene liveScene(int widthPx, double framesPerSecond, LiveRobot look)
 {
     LiveScene live{demoTestbed(3), static_cast<std::int64_t>(framesPerSecond)};
-    SimulatedRobot robot;
-    robot.name = "red";
-    robot.colour = {0xd7, 0x23, 0x28};
-    robot.motion = makeCircleMotion({1.5, 1.1}, radiusM, 2 * std::numbers::pi * radiusM / roundS, rampS);
-    live.scene.robots = {robot};
+    const auto motion = makeCircleMotion({1.5, 1.1}, radiusM, 2 * std::numbers::pi * radiusM / roundS, rampS);
+    SimulatedRobot disc;
+    disc.name = "red";
+    disc.colour = {0xd7, 0x23, 0x28};
+    disc.motion = motion;
+    live.scene.robots = {look == LiveRobot::Coloured ? disc : robotOfLook(Look::Rover, motion)};
     live.scene.durationS = static_cast<double>(live.firstFrame) / framesPerSecond + roundS;
     for (SimulatedCamera &camera : live.scene.cameras) {
         camera.framesPerSecond = framesPerSecond;

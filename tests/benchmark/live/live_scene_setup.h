@@ -12,7 +12,10 @@ struct LiveScene
     std::int64_t firstFrame = 0; ///< from here to the last the robot drives whole rounds at its full speed
 };
 
+/// What the robot looks like: a red disc, or a rover of many colours that none is given of.
+enum class LiveRobot { Coloured, AnyLook };
+
 /// Two views of this size and rate; 1280 by 720 is the demo's own, others see the same with more pixels.
-LiveScene liveScene(int widthPx, double framesPerSecond);
+LiveScene liveScene(int widthPx, double framesPerSecond, LiveRobot robot = LiveRobot::Coloured);
 
 } // namespace odo::test
