@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/tracking/textured_floor.h"
+
+#include "core/tracking/difference_lattice.h"
+#include "core/tracking/difference_windows.h"
+#include "core/tracking/region_edge.h"
+
+#include <QTest>
+
+using namespace odo;
+using namespace odo::test;
+
+namespace {
+
+const FrameFormat format = testFormat(320, 240);
+const PixelRect picture{0, 0, 320, 240};
+
+/// A floor that varies by one code value.
+Background backgroundOf(const Painter &floor)
+{
+    std::mt19937 random(1);
+    const Frame frame = floor.frame(0, 0, 0, random);
+    const auto planeOf = [](const PlaneView &from) {
+        Background::Plane plane{from.width, from.height, {}, {}};
+        for (int y = 0; y < from.height; ++y)
+            plane.values.insert(plane.values.end(), from.row(y), from.row(y) + from.width);
+        plane.sigmas.assign(plane.values.size(), std::uint8_t(1 / Background::sigmaUnit));
+        return plane;
+    };
+    return {frame.format, planeOf(frame.y), planeOf(frame.u), planeOf(frame.v)};
+}
+
+Frame frameOf(const Painter &painter, double noise)
+{
+    std::mt19937 random(2);
+    return painter.frame(0, 0, noise, random);
+}
+
+} // namespace
+
+class TestComparedWindow : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void noiseHasNoWindow()
+    {
+        const Painter floor = texturedFloor(format);
+        DifferenceLattice lattice(backgroundOf(floor));
+        lattice.compare(frameOf(floor, 1));
+        QVERIFY(windowsAround(lattice.differences(), picture).empty());
+        QVERIFY(std::abs(lattice.gain().factor - 1) < 0.01F);
+    }
+
+    /// A black rectangle: a window around it, in which exactly its pixels differ, in any light.
+    void whatDiffersIsFound_data()
+    {
+        QTest::addColumn<double>("light");
+        QTest::newRow("in the same light") << 1.0;
+        QTest::newRow("in less light") << 0.8;
+    }
+    void whatDiffersIsFound()
+    {
+        QFETCH(double, light);
+        const Painter floor = texturedFloor(format);
+        const Background background = backgroundOf(floor);
+        Painter painter = floor;
+        painter.rectangle({99.5, 79.5}, {149.5, 119.5}, {15, 15, 15});
+        painter.light(light);
+        const Frame frame = frameOf(painter, 0);
+        DifferenceLattice lattice(background);
+        lattice.compare(frame);
+        QVERIFY(std::abs(double(lattice.gain().factor) - light) < 0.01);
+        const auto groups = windowsAround(lattice.differences(), picture);
+        QCOMPARE(groups.size(), std::size_t(1));
+        QCOMPARE(groups.front().size(), std::size_t(1));
+        ComparedWindow window;
+        window.compare(frame, background, lattice.gain(), groups.front().front());
+        const PixelRect around{100, 80, 150, 120};
+        QVERIFY(window.rect().contains(around));
+        // Chroma is at half the resolution, so a pixel beside the edge may differ by its chroma.
+        for (int y = 0; y < window.height(); ++y)
+            for (int x = 0; x < window.width(); ++x) {
+                const int px = window.rect().x0 + x, py = window.rect().y0 + y;
+                const bool isIn = around.contains({px, py, px + 1, py + 1}), isNear = PixelRect{98, 78, 152, 122}.contains({px, py, px + 1, py + 1});
+                QVERIFY(window.differs().at(x, y) == isIn || (isNear && !isIn));
+                if (isIn)
+                    QVERIFY(window.plain().at(x, y) && std::abs(window.seen(x, y).luma - float(frame.y.at(px, py) - lattice.gain().black)) < 1e-3F);
+            }
+    }
+
+    /// The edge of a bright rectangle between pixels, by how much of each pixel it covers.
+    void anEdgeIsMeasuredBetweenPixels()
+    {
+        const Painter floor(format, {80, 80, 80});
+        const Background background = backgroundOf(floor);
+        for (const double shift : {0.0, 0.25, 0.5, 0.75}) {
+            Painter painter = floor;
+            const Eigen::Vector2d low(99.5 + shift, 79.5 + shift / 2), high(149.5 + shift, 119.5 + shift / 2);
+            painter.rectangle(low, high, {220, 220, 220});
+            const Frame frame = frameOf(painter, 0);
+            DifferenceLattice lattice(background);
+            lattice.compare(frame);
+            ComparedWindow window;
+            window.compare(frame, background, lattice.gain(), windowsAround(lattice.differences(), picture).front().front());
+            FloorShade shade;
+            shade.find(window);
+            QVERIFY(shade.shade().isEmpty() && shade.byHue().isEmpty());
+            RegionEdge edge;
+            edge.measure(window, shade, {0, 0, window.width(), window.height()}, window.plain());
+            Eigen::Vector2d least(1e9, 1e9), most(-1e9, -1e9);
+            for (const Eigen::Vector2d &point : edge.points()) {
+                least = least.cwiseMin(point);
+                most = most.cwiseMax(point);
+            }
+            // A code value of 150 is what rounding may hide of a pixel. Between a pixel of which a part c is covered and one that is covered wholly, the line
+            // through both crosses one half (c/2 - c²) / (1 - c) from the edge: 0.083 px at a quarter, and no more.
+            const double mostPx = shift == 0 ? 0.03 : 0.12;
+            QVERIFY2((least - low).norm() < mostPx && (most - high).norm() < mostPx, qPrintable(QStringLiteral("%1 %2").arg((least - low).norm()).arg((most - high).norm())));
+            QVERIFY(edge.meanChroma().norm() < 0.5);
+        }
+    }
+
+    /// Half of the floor's light: shadow where the floor's texture shows through, and none where it does not.
+    void shadowsShowTheTexture()
+    {
+        Painter floor(format, {150, 150, 150});
+        for (int y = 0; y < format.height; y += 8)
+            for (int x = y % 16 == 0 ? 0 : 4; x < format.width; x += 8)
+                floor.rectangle({x - 0.5, y - 0.5}, {x + 3.5, y + 3.5}, {110, 110, 110});
+        const Background background = backgroundOf(floor);
+        const Eigen::Vector2d low(99.5, 79.5), high(149.5, 119.5);
+        for (const bool isShadow : {true, false}) {
+            Painter painter = floor;
+            if (isShadow)
+                painter.shade(low, high, 0.6);
+            else
+                painter.rectangle(low, high, {90, 90, 90}); // as grey as the floor, but flat
+            const Frame frame = frameOf(painter, 0);
+            DifferenceLattice lattice(background);
+            lattice.compare(frame);
+            ComparedWindow window;
+            window.compare(frame, background, lattice.gain(), windowsAround(lattice.differences(), picture).front().front());
+            FloorShade shade;
+            shade.find(window);
+            const double share = double(shade.shade().count()) / (50 * 40);
+            QVERIFY2(isShadow ? share > 0.9 : share < 0.2, qPrintable(QStringLiteral("%1 %2").arg(isShadow).arg(share)));
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestComparedWindow)
+#include "tst_compared_window.moc"
