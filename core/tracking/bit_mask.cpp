@@ -127,12 +127,22 @@ BitMask BitMask::cropped(const PixelRect &part) const
 BitMask BitMask::padded(int margin) const
 {
     BitMask result(m_width + 2 * margin, m_height + 2 * margin);
-    for (int y = 0; y < m_height; ++y)
-        for (int x = nextSet(0, y), end = 0; x < m_width; x = nextSet(end, y)) {
-            end = nextClear(x, y);
-            result.setRun(y + margin, x + margin, end + margin);
-        }
+    result.add(*this, margin, margin);
     return result;
+}
+
+void BitMask::add(const BitMask &part, int x0, int y0)
+{
+    const int first = x0 / wordBits, shift = x0 % wordBits;
+    for (int y = 0; y < part.m_height; ++y) {
+        const Word *from = part.row(y);
+        Word *words = row(y0 + y) + first;
+        for (int w = 0; w < part.m_words; ++w) {
+            words[w] |= from[w] << shift;
+            if (shift > 0 && first + w + 1 < m_words)
+                words[w + 1] |= from[w] >> (wordBits - shift);
+        }
+    }
 }
 
 int BitMask::count() const

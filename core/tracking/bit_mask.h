@@ -47,6 +47,8 @@ public:
     BitMask cropped(const PixelRect &part) const;
     /// The image with so many pixels more on each side, which do not belong to the set.
     BitMask padded(int margin) const;
+    /// Adds the set of a smaller image, whose first pixel is this one's (x0, y0).
+    void add(const BitMask &part, int x0, int y0);
     /// The pixels that do not belong to the set.
     BitMask complement() const;
 

@@ -44,12 +44,11 @@ void FloorShade::find(const ComparedWindow &window)
     m_byHue.reset(m_shade.width(), m_shade.height());
     m_box = m_shade.bounds();
     const std::vector<Sums> none(std::size_t(m_box.width() + 2 * patchReach));
-    m_rows.assign(patchRows, none);
+    m_rows.assign(patchRows + 1, none);
     m_columns = none;
     for (int y = m_box.y0; y < m_box.y1 + patchReach; ++y) {
-        addRow(slot(y), -1); // which lies above the patch of the row judged now
         takeRow(window, y);
-        addRow(slot(y), 1);
+        exchangeRows(slot(y), slot(y + 1)); // the latter lies above the patch of the row judged now
         if (y - patchReach >= m_box.y0)
             judgeRow(window, y - patchReach);
     }
@@ -57,7 +56,7 @@ void FloorShade::find(const ComparedWindow &window)
 
 std::vector<FloorShade::Sums> &FloorShade::slot(int y)
 {
-    return m_rows[std::size_t(y % patchRows)];
+    return m_rows[std::size_t(y) % m_rows.size()];
 }
 
 void FloorShade::takeRow(const ComparedWindow &window, int y)
@@ -78,13 +77,14 @@ void FloorShade::takeRow(const ComparedWindow &window, int y)
     });
 }
 
-void FloorShade::addRow(const std::vector<Sums> &row, int sign)
+/// Takes a row into the patches' sums, and another out of them.
+void FloorShade::exchangeRows(const std::vector<Sums> &added, const std::vector<Sums> &removed)
 {
-    const std::int32_t *from = row.front().data();
+    const std::int32_t *more = added.front().data(), *less = removed.front().data();
     std::int32_t *__restrict into = m_columns.front().data();
-    const int count = int(row.size() * Sums().size());
+    const int count = int(added.size() * Sums().size());
     for (int i = 0; i < count; ++i)
-        into[i] += sign * from[i];
+        into[i] += more[i] - less[i];
 }
 
 /// Takes from the shade what the patch around it shows to be none.

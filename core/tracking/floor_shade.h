@@ -30,11 +30,11 @@ private:
     void judgeRow(const ComparedWindow &window, int y);
     void judge(const ComparedWindow &window, const Sums &sums, int x, int y);
     std::vector<Sums> &slot(int y);
-    void addRow(const std::vector<Sums> &row, int sign);
+    void exchangeRows(const std::vector<Sums> &added, const std::vector<Sums> &removed);
 
     BitMask m_shade, m_byHue;
     PixelRect m_box;                       ///< of what may be in shadow
-    std::vector<std::vector<Sums>> m_rows; ///< of a patch's height, each with half a patch at both ends
+    std::vector<std::vector<Sums>> m_rows; ///< of a patch's height and one above it, each with half a patch at both ends
     std::vector<Sums> m_columns;           ///< what they add up to
 };
 

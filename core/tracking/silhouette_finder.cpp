@@ -187,8 +187,8 @@ void SilhouetteFinder::Impl::takeRegions(const BitMask &taken, const BitMask &cl
         for (const PixelRun &run : pixels)
             region.setRun(run.y - part.y0, run.x0 - part.x0, run.x1 - part.x0);
         region = withoutHoles(region);
-        for (int y = 0; parts.size() > 1 && y < region.height(); ++y)
-            region.forEachInRow(y, [&](int x) { enclosed.set(part.x0 + x, part.y0 + y); });
+        if (parts.size() > 1)
+            enclosed.add(region, part.x0, part.y0);
         SeenSilhouette silhouette;
         silhouette.box = {window.rect().x0 + box.x0, window.rect().y0 + box.y0, window.rect().x0 + box.x1, window.rect().y0 + box.y1};
         if (isGhost(window, region, part) || !measure(std::move(region), part, clear, silhouette))
