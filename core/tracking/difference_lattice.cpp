@@ -10,7 +10,7 @@ namespace odo {
 
 namespace {
 
-constexpr int rowsAhead = 3; // of the lattice: of a picture just decoded the rows are far, and too far apart for the processor to expect the next
+constexpr int rowsAhead = 6; // of the lattice: of a picture just decoded the rows are far, and too far apart for the processor to expect the next
 
 /// The row of luma pixels on which a row of the lattice lies.
 int pictureRow(int latticeRow)

@@ -19,7 +19,8 @@ class RatioHistogram
 public:
     void add(float ratio)
     {
-        m_bins[std::min(m_bins.size() - 1, std::size_t(ratio * binsPerOne))] += one | Bin(ratio * ratioUnit);
+        const int bin = std::min(int(m_bins.size()) - 1, int(ratio * binsPerOne));
+        m_bins[std::size_t(bin)] += one + Bin(int(ratio * ratioUnit));
         ++m_count;
     }
     int count() const { return m_count; }
@@ -34,6 +35,8 @@ public:
             if (taken > 0)
                 sum += double(bin % one) / ratioUnit * taken / inBin;
             before += inBin;
+            if (before >= last)
+                break;
         }
         return float(sum / (last - first));
     }
