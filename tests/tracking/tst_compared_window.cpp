@@ -106,7 +106,7 @@ private Q_SLOTS:
             shade.find(window);
             QVERIFY(shade.shade().isEmpty() && shade.byHue().isEmpty());
             RegionEdge edge;
-            edge.measure(window, shade, {0, 0, window.width(), window.height()}, window.plain());
+            edge.measure(window, shade, {0, 0, window.width(), window.height()}, window.plain(), BitMask(window.width(), window.height()));
             Eigen::Vector2d least(1e9, 1e9), most(-1e9, -1e9);
             for (const Eigen::Vector2d &point : edge.points()) {
                 least = least.cwiseMin(point);

@@ -141,10 +141,11 @@ private Q_SLOTS:
             QCOMPARE(seen.size(), std::size_t(1));
             const RegionMoments &moments = seen.front().moments;
             const double reach = moments.centrePx.x() + double(seen.front().supportPx.front());
-            // A cable's root stays, some pixels of it: it is told from the body by discs of five pixels.
-            QVERIFY2(std::abs(reach - wanted) < (isPart ? 1.5 : 7.0), qPrintable(QString::number(reach - wanted)));
+            QCOMPARE(seen.front().isTrimmed, !isPart);
+            // Where the cable leaves the body its root stays: it is told from it by discs of five pixels.
+            QVERIFY2(std::abs(reach - wanted) < (isPart ? 1.5 : 4.0), qPrintable(QString::number(reach - wanted)));
             if (!isPart)
-                QVERIFY2(std::abs(moments.areaPx2 / (48 * 36) - 1) < 0.1 && (moments.centrePx - (low + high) / 2).norm() < 2,
+                QVERIFY2(std::abs(moments.areaPx2 / (48 * 36) - 1) < 0.05 && (moments.centrePx - (low + high) / 2).norm() < 1,
                          qPrintable(QString::number(moments.areaPx2)));
         }
     }
