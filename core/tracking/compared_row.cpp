@@ -16,7 +16,7 @@ constexpr float plainSteps = 6;                    // of the least step: half of
 constexpr float textureJitter = 0.08F;             // of the luma's slope: what coding and a lens that breathes move, pixels
 constexpr float darkest = 0.40F, lightest = 0.99F; // of the floor in shadow against the floor in light
 constexpr float darkestFloor = 12;                 // code values above black: on a darker one a shadow is not seen
-constexpr int windowRowsAhead = 6;                    // that are fetched before they are read
+constexpr int windowRowsAhead = 6;                 // that are fetched before they are read
 
 /// Of a row of luma and those above and below it.
 struct NoiseRows

@@ -85,7 +85,7 @@ void DifferenceLattice::takePlane(const RowOf &rowOf, int shiftX, int shiftY, st
         takeRow(rowOf(pictureRow(j) >> shiftY), shiftX, m_columns, into.data() + std::ptrdiff_t(j) * m_columns);
 }
 
-void DifferenceLattice::compare(const Frame &frame)
+void DifferenceLattice::compare(const Frame &frame, const Background &background)
 {
     const int sx = m_format.chromaShiftX, sy = m_format.chromaShiftY;
     m_luma.resize(m_behind.y.size());
@@ -94,8 +94,8 @@ void DifferenceLattice::compare(const Frame &frame)
             fetchEarly(frame.y.row(pictureRow(j + rowsAhead)), frame.y.width);
         takeRow(frame.y.row(pictureRow(j)), 0, m_columns, m_luma.data() + std::ptrdiff_t(j) * m_columns);
     }
-    const auto view = [this](const std::vector<std::uint8_t> &samples) { return PlaneView{samples.data(), m_columns, m_rows, m_columns}; };
-    m_gain = LightGain::between(view(m_luma), view(m_behind.y), frame.format.fullRange);
+    const Background::Plane &behind = background.y; // all of it: samples in step with a codec's blocks tell the gain less well
+    m_gain = LightGain::between(frame.y, {behind.values.data(), behind.width, behind.height, behind.width}, frame.format.fullRange);
     adaptToLight();
     m_differences.reset(m_columns, m_rows);
     for (std::vector<std::uint8_t> *row : {&m_u, &m_v, &m_steps})

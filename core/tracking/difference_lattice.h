@@ -21,8 +21,8 @@ public:
     DifferenceLattice() = default;
     explicit DifferenceLattice(const Background &background);
 
-    /// Compares a whole frame of the background's format.
-    void compare(const Frame &frame);
+    /// Compares a whole frame of the background's format; background: that which it was made of.
+    void compare(const Frame &frame, const Background &background);
     /// How much lighter the frame is than the background.
     const LightGain &gain() const { return m_gain; }
     /// Where luma or chroma differ by more than the place varies.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/light_gain.h"
 
+#include "core/tracking/fetch_early.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -57,6 +59,9 @@ LightGain LightGain::between(const PlaneView &plane, const PlaneView &reference,
     const int step = std::max(1, static_cast<int>(std::sqrt(double(plane.width) * plane.height / comparedSamples)));
     RatioHistogram ratios;
     for (int y = step / 2; y < plane.height; y += step) {
+        const int next = std::min(y + step, plane.height - 1);
+        fetchEarly(plane.row(next), plane.width);
+        fetchEarly(reference.row(next), plane.width);
         const std::uint8_t *now = plane.row(y), *before = reference.row(y);
         for (int x = step / 2; x < plane.width; x += step) {
             if (std::min(now[x], before[x]) >= leastLuma + gain.black && std::max(now[x], before[x]) <= mostLuma)

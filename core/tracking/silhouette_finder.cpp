@@ -231,7 +231,7 @@ const std::vector<SeenSilhouette> &SilhouetteFinder::find(const Frame &frame)
     d.firstPiece = 0;
     if (!fits(frame, d.background))
         return d.found;
-    d.lattice.compare(frame);
+    d.lattice.compare(frame, d.background);
     const BitMask &differences = d.lattice.differences();
     if (differences.count() > mostShare * differences.width() * differences.height()) // the light of a part of the room, or the camera, has changed
         return d.found;

@@ -45,8 +45,9 @@ private Q_SLOTS:
     void noiseHasNoWindow()
     {
         const Painter floor = texturedFloor(format);
-        DifferenceLattice lattice(backgroundOf(floor));
-        lattice.compare(frameOf(floor, 1));
+        const Background background = backgroundOf(floor);
+        DifferenceLattice lattice(background);
+        lattice.compare(frameOf(floor, 1), background);
         QVERIFY(windowsAround(lattice.differences(), picture).empty());
         QVERIFY(std::abs(lattice.gain().factor - 1) < 0.01F);
     }
@@ -68,7 +69,7 @@ private Q_SLOTS:
         painter.light(light);
         const Frame frame = frameOf(painter, 0);
         DifferenceLattice lattice(background);
-        lattice.compare(frame);
+        lattice.compare(frame, background);
         QVERIFY(std::abs(double(lattice.gain().factor) - light) < 0.01);
         const auto groups = windowsAround(lattice.differences(), picture);
         QCOMPARE(groups.size(), std::size_t(1));
@@ -99,7 +100,7 @@ private Q_SLOTS:
             painter.rectangle(low, high, {220, 220, 220});
             const Frame frame = frameOf(painter, 0);
             DifferenceLattice lattice(background);
-            lattice.compare(frame);
+            lattice.compare(frame, background);
             ComparedWindow window;
             window.compare(frame, background, lattice.gain(), windowsAround(lattice.differences(), picture).front().front());
             FloorShade shade;
@@ -137,7 +138,7 @@ private Q_SLOTS:
                 painter.rectangle(low, high, {90, 90, 90}); // as grey as the floor, but flat
             const Frame frame = frameOf(painter, 0);
             DifferenceLattice lattice(background);
-            lattice.compare(frame);
+            lattice.compare(frame, background);
             ComparedWindow window;
             window.compare(frame, background, lattice.gain(), windowsAround(lattice.differences(), picture).front().front());
             FloorShade shade;
