@@ -18,6 +18,17 @@
 
 namespace odo {
 
+namespace {
+
+constexpr double leastOfFloorColour = 0.25; // of the frames; what is used in fewer may as well be the floor
+
+double usedShare(const Profile &profile)
+{
+    return double(std::ranges::count_if(profile.samples, isUsed)) / double(std::max<std::size_t>(1, profile.samples.size()));
+}
+
+} // namespace
+
 struct TrackJob::Impl
 {
     std::string trialName;
@@ -209,6 +220,8 @@ Result<void> TrackJob::Impl::analyseAll(std::vector<TrackedView> &tracked)
                 error.advice = "track only the robots that are in the pictures (--robot)";
             return tl::unexpected(floorColour ? floorColour->error : error);
         }
+        if (floorColour && usedShare(analysed->profile) < leastOfFloorColour)
+            return tl::unexpected(floorColour->error);
         analysis.task = task ? task->id : 0;
         analysis.options = std::move(analysed->options);
         analysis.profile = std::move(analysed->profile);

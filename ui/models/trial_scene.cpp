@@ -250,6 +250,10 @@ Result<TrialScenePtr> loadTrialScene(Project &project, const std::string &trialN
             return passOn(robot);
         scene->robots.push_back(std::move(*robot));
     }
+    auto pointedOut = project.trials().pointedOut(scene->trial.id);
+    if (!pointedOut)
+        return passOn(pointedOut);
+    scene->pointedOut = std::move(*pointedOut);
     auto imported = importedTracksOf(project, scene->trial);
     if (!imported)
         return passOn(imported);

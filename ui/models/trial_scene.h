@@ -50,6 +50,7 @@ struct TrialScene
     RecordId taskId = 0;                ///< of it; 0: none
     std::vector<Criterion> scoring;     ///< of it; empty: it is not scored
     std::vector<ImportedTrack> imported; ///< where its tracks came from; empty: our own views measured them
+    std::vector<PointedOutRobot> pointedOut;   ///< by a person
     std::vector<Nanoseconds> importedTimes;    ///< of all samples then, in order
 
     /// Frame times of the first view, which is the time line of the trial; of imported tracks their times.

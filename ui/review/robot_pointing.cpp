@@ -6,6 +6,7 @@
 
 #include <QAction>
 #include <QMenu>
+#include <algorithm>
 
 namespace odo {
 
@@ -40,6 +41,13 @@ std::vector<std::string> RobotPointing::robots() const
     return names;
 }
 
+bool RobotPointing::isPointedOut(const std::string &robot) const
+{
+    return std::ranges::any_of(m_scene->robots, [&](const SceneRobot &one) {
+        return one.robot.name == robot && std::ranges::find(m_scene->pointedOut, one.robot.id, &PointedOutRobot::robot) != m_scene->pointedOut.end();
+    });
+}
+
 void RobotPointing::fill(QMenu &menu, std::size_t view, const QPointF &pixel)
 {
     const std::vector<std::string> all = robots();
@@ -52,7 +60,8 @@ void RobotPointing::fill(QMenu &menu, std::size_t view, const QPointF &pixel)
     }
     menu.addSeparator();
     for (const std::string &robot : all)
-        connect(menu.addAction(tr("Find %1 without help").arg(shown(robot))), &QAction::triggered, this, [this, robot] { say({robot}); });
+        if (isPointedOut(robot))
+            connect(menu.addAction(tr("Find %1 without help").arg(shown(robot))), &QAction::triggered, this, [this, robot] { say({robot}); });
 }
 
 void RobotPointing::ask(std::size_t view, const QPointF &pixel, const QPoint &global)

@@ -36,6 +36,7 @@ Q_SIGNALS:
 
 private:
     std::vector<std::string> robots() const;
+    bool isPointedOut(const std::string &robot) const;
     void say(RobotPointer pointer);
 
     Timeline &m_timeline;

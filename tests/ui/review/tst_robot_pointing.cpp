@@ -19,9 +19,12 @@ private Q_SLOTS:
     void offersRobotsOfAnyLook()
     {
         auto scene = std::make_shared<TrialScene>(*exampleScene({}));
-        for (SceneRobot &robot : scene->robots)
-            robot.robot.colour.reset();
+        for (std::size_t r = 0; r < scene->robots.size(); ++r) {
+            scene->robots[r].robot.colour.reset();
+            scene->robots[r].robot.id = RecordId(r + 1);
+        }
         scene->robots.front().robot.name = "Rover & co.";
+        scene->pointedOut = {{scene->robots.front().robot.id, 1, 5, {3, 4}}};
         Timeline timeline;
         timeline.setFrameTimes(scene->frameTimes());
         RobotPointing pointing(timeline);
@@ -39,7 +42,7 @@ private Q_SLOTS:
         });
         QMenu menu;
         pointing.fill(menu, 1, {123, 45});
-        QCOMPARE(menu.actions().size(), qsizetype(2 * scene->robots.size() + 1));
+        QCOMPARE(menu.actions().size(), qsizetype(scene->robots.size() + 2)); // with a line, and what takes the first one's back
         QCOMPARE(menu.actions().front()->text(), QStringLiteral("This is Rover && co.: track it again"));
         menu.actions().front()->trigger();
         QCOMPARE(trial, QString::fromStdString(scene->trial.name));
@@ -48,6 +51,7 @@ private Q_SLOTS:
         QCOMPARE(told.timeS, toSeconds(timeline.currentTime()));
         QVERIFY((told.pixel == Eigen::Vector2d(123, 45)));
         QVERIFY(!pointing.action()->isChecked());
+        QCOMPARE(menu.actions().back()->text(), QStringLiteral("Find Rover && co. without help"));
         menu.actions().back()->trigger();
         QVERIFY(told.view.empty());
     }
