@@ -19,7 +19,7 @@ namespace {
 
 constexpr double momentStepS = 0.05;
 constexpr double longestInterpolationS = 0.12;
-constexpr double leastLikeness = 0.15, wayOfRobotM = 1; // of what stands still; what has gone as far is as likely a robot as can be
+constexpr double leastLikeness = 0.15, wayOfRobotM = 1; // of what stands still; what goes all the time and as far is as likely a robot as can be
 constexpr double likenessAtBorder = 0.3;
 constexpr double secondPlaneM = 0.1; ///< any height: a ray moves on a straight line through the planes
 
@@ -101,11 +101,32 @@ std::vector<FloorMoment> gatherMoments(const std::vector<NamedView> &views,
     return moments;
 }
 
-/// Robots drive over the floor within the picture; people stand beside it, hands reach in over its edge.
+struct PlaceAtTime
+{
+    double timeS = 0;
+    Eigen::Vector2d placeM;
+};
+
+/// Of the times at which something was seen, the share at which it had moved on within the second before.
+double shareInMotion(const std::vector<PlaceAtTime> &way)
+{
+    constexpr double longestS = 1, leastMps = 0.02, leastM = 0.01; // less is what an outline does that stands
+    std::size_t moving = 0, from = 0;
+    for (const PlaceAtTime &now : way) {
+        while (now.timeS - way[from].timeS > longestS)
+            ++from;
+        const double goneM = (now.placeM - way[from].placeM).norm();
+        moving += goneM > leastM && goneM > leastMps * (now.timeS - way[from].timeS) ? 1 : 0;
+    }
+    return way.empty() ? 0 : double(moving) / double(way.size());
+}
+
+/// Robots drive over the floor within the picture; people stand beside it, a ball comes to rest, hands reach in over its edge.
 TrackletOf judged(TrackletOf one, const NamedView &view, const std::vector<Observation> &observations)
 {
     Eigen::AlignedBox2d visited;
     std::vector<double> sizes;
+    std::vector<PlaceAtTime> way;
     double atBorder = 0;
     const double frames = double(one.tracklet.last - one.tracklet.first + 1);
     for (std::size_t i = one.tracklet.first; i <= one.tracklet.last; ++i) {
@@ -115,10 +136,11 @@ TrackletOf judged(TrackletOf one, const NamedView &view, const std::vector<Obser
         if (!place)
             continue;
         visited.extend(*place);
+        way.push_back({toSeconds(seen.time), *place});
         sizes.push_back(sizeOf(*view.floorView, seen));
     }
     const double movedM = visited.isEmpty() ? 0 : visited.diagonal().norm();
-    const double moves = leastLikeness + (1 - leastLikeness) * std::min(1.0, movedM / wayOfRobotM);
+    const double moves = leastLikeness + (1 - leastLikeness) * std::min(1.0, movedM / wayOfRobotM) * shareInMotion(way);
     one.likeness = moves * (1 - (1 - likenessAtBorder) * atBorder);
     one.sizeM = sizes.empty() ? 0 : upperMedian(std::move(sizes));
     return one;

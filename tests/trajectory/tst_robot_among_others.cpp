@@ -89,6 +89,7 @@ class TestRobotAmongOthers : public QObject
 
 private Q_SLOTS:
     void whatDrivesIsTheRobot();
+    void whatComesToRestIsNoRobot();
     void aViewThatContradictsIsKept();
     void aPersonDecides();
     void nothingIsThere();
@@ -105,6 +106,19 @@ void TestRobotAmongOthers::whatDrivesIsTheRobot()
     QCOMPARE(framesOff(views[1], cameraB(), drives), 0);
     QVERIFY(outcome.renamed > 0);
     QCOMPARE(outcome.doubts.size(), std::size_t(0));
+}
+
+/// A ball rolls as far as the robot drives and is seen all the time, the robot for half of it.
+void TestRobotAmongOthers::whatComesToRestIsNoRobot()
+{
+    const Course rolls = [](double t) { return at({-0.8 + 0.7 * std::min(t, 2.0), -0.5}); };
+    auto views = viewsOf({{rolls, drives}, {rolls, drives}});
+    for (NamedView &view : views)
+        for (std::size_t i = 50; i < 200; ++i)
+            view.others.front()[i].found = false;
+    assignNames(views, std::vector<NamedRobot>(1));
+    QCOMPARE(framesOff(views[0], cameraA(), drives), 150);
+    QCOMPARE(framesOff(views[1], cameraB(), drives), 150);
 }
 
 /// Its camera was pushed: that the views disagree is to be seen and said, and not to be hidden by leaving one out.
