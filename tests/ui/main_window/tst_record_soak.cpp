@@ -125,7 +125,7 @@ void TestRecordSoak::recordTrial(int number, double seconds)
         const auto trials = m_project->trials().all();
         return trials && trials->size() == std::size_t(number) && trials->back().durationS > seconds;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(recorded(), startMs + int(2000 * seconds));
+    QTRY_VERIFY_WITH_TIMEOUT(recorded(), startMs + int(4000 * seconds)); // a busy machine writes late
     button->click();
     const auto measured = [&] {
         const auto metrics = m_project->analyses().currentMetrics(m_project->trials().all()->back().id);
@@ -169,7 +169,8 @@ void TestRecordSoak::whatIsHeldStaysAsItIs()
         return value;
     };
     const std::size_t middle = third, last = after.size() - third;
-    QCOMPARE_LE(least(last, &Held::files), least(middle, &Held::files));
+    // One file may be opened for good at some trial or other; what is forgotten at each trial makes more.
+    QCOMPARE_LE(least(last, &Held::files), least(middle, &Held::files) + 1);
     // OpenCV's pool starts a worker for each further core when it first needs one, at some trial or other.
     QCOMPARE_LE(least(last, &Held::threads), least(middle, &Held::threads) + QThread::idealThreadCount() - 1);
     QCOMPARE_LE(least(last, &Held::usedMb), least(middle, &Held::usedMb) + pictureMb);
