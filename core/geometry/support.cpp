@@ -58,6 +58,14 @@ std::vector<float> supportOf(const std::vector<Eigen::Vector2d> &points, const E
     return support;
 }
 
+bool isWithinSupport(const std::vector<float> &support, const Eigen::Vector2d &about, const Eigen::Vector2d &place, double beyondPx)
+{
+    for (std::size_t k = 0; k < support.size(); ++k)
+        if (supportDirection(k).dot(place - about) > double(support[k]) + beyondPx)
+            return false;
+    return true;
+}
+
 std::vector<Eigen::Vector2d> supportPolygon(const std::vector<float> &support, const Eigen::Vector2d &about)
 {
     constexpr double samePx = 1e-3;  // lines that meet in one point do so but for their rounding

@@ -58,15 +58,6 @@ void BitMask::setRun(int y, int x0, int x1)
     }
 }
 
-void BitMask::clearRun(int y, int x0, int x1)
-{
-    Word *words = row(y);
-    for (int x = x0, end = 0; x < x1; x = end) {
-        end = std::min(x1, (x / wordBits + 1) * wordBits);
-        words[x / wordBits] &= ~bitsOf(x, end);
-    }
-}
-
 int BitMask::next(int x, int y, Word inverted) const
 {
     if (x >= m_width)

@@ -29,9 +29,8 @@ public:
     void clear(int x, int y) { row(y)[x / wordBits] &= ~(Word(1) << (x % wordBits)); }
     void set(int x, int y) { row(y)[x / wordBits] |= Word(1) << (x % wordBits); }
 
-    /// Pixels of a row from x0 up to, not including, x1.
+    /// Adds the pixels of a row from x0 up to, not including, x1.
     void setRun(int y, int x0, int x1);
-    void clearRun(int y, int x0, int x1);
     /// The first pixel of a row from x on that belongs to the set, or does not; the width where there is none.
     int nextSet(int x, int y) const { return next(x, y, 0); }
     int nextClear(int x, int y) const { return next(x, y, ~Word(0)); }

@@ -65,11 +65,7 @@ bool isPartOf(const SeenSilhouette &part, const SeenSilhouette &whole)
         return false;
     if (whole.regions > part.regions)
         return true;
-    const Eigen::Vector2d away = part.moments.centrePx - whole.moments.centrePx;
-    for (std::size_t k = 0; k < whole.supportPx.size(); ++k)
-        if (supportDirection(k).dot(away) > double(whole.supportPx[k]))
-            return false;
-    return part.moments.areaPx2 < mostOfPart * whole.moments.areaPx2;
+    return part.moments.areaPx2 < mostOfPart * whole.moments.areaPx2 && isWithinSupport(whole.supportPx, whole.moments.centrePx, part.moments.centrePx);
 }
 
 bool lies(const PixelRect &box, const Eigen::Vector2d &at)

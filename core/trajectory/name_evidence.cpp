@@ -166,11 +166,7 @@ void addTracklets(NameEvidence &evidence)
 bool holds(const Observation &seen, const Eigen::Vector2d &pixel)
 {
     constexpr double besidePx = 4;
-    const Eigen::Vector2d away = pixel - seen.ellipse.centrePx;
-    for (std::size_t k = 0; k < seen.supportPx.size(); ++k)
-        if (supportDirection(k).dot(away) > double(seen.supportPx[k]) + besidePx)
-            return false;
-    return seen.found && !seen.supportPx.empty();
+    return seen.found && !seen.supportPx.empty() && isWithinSupport(seen.supportPx, seen.ellipse.centrePx, pixel, besidePx);
 }
 
 /// Marks the tracklets that a person pointed out: of several that hold the place the one of the smallest thing.

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/clip_offset.h"
 
-#include "core/tracking/colour_tracker.h"
-#include "core/workflow/view_tracking.h"
+#include "core/workflow/robot_names.h"
 
 #include <algorithm>
 
@@ -19,7 +18,7 @@ std::vector<std::vector<MotionTrack>> tracksOf(const std::vector<RegisteredView>
     std::vector<NamedRobot> named;
     std::vector<std::string> names;
     for (const RobotRecord &robot : robots) {
-        named.push_back({isFoundByColour({robot.name, robot.colour}) ? robot.colour : std::nullopt, robot.heightM});
+        named.push_back(namedRobot(robot));
         names.push_back(robot.name);
     }
     std::vector<NamedView> seen;

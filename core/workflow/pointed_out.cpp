@@ -4,7 +4,6 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/tracking/colour_tracker.h"
-#include "core/trajectory/view_clock.h"
 
 #include <algorithm>
 
@@ -18,7 +17,7 @@ constexpr double longestAsideS = 0.1; // between the time told and the picture m
 std::optional<std::int64_t> frameAt(const RecordingRecord &recording, double timeS)
 {
     const std::vector<Nanoseconds> &times = recording.frameTimes;
-    const ViewClock clock{fromSeconds(recording.startOffsetS), recording.clockRate};
+    const ViewClock clock = clockOf(recording);
     const auto asideS = [&](Nanoseconds own) { return std::abs(toSeconds(clock.commonTime(own)) - timeS); };
     const auto nearest = std::ranges::min_element(times, {}, asideS);
     if (nearest == times.end() || !(asideS(*nearest) <= longestAsideS))

@@ -13,6 +13,11 @@ std::string sizeText(int width, int height) { return std::to_string(width) + "×
 
 } // namespace
 
+ViewClock clockOf(const RecordingRecord &recording)
+{
+    return {fromSeconds(recording.startOffsetS), recording.clockRate};
+}
+
 Result<FloorView> floorViewOf(Project &project, const RegistrationRecord &registration)
 {
     Intrinsics intrinsics = registration.assumedIntrinsics;

@@ -3,6 +3,7 @@
 
 #include "core/geometry/floor_view.h"
 #include "core/project/records.h"
+#include "core/trajectory/view_clock.h"
 
 #include <filesystem>
 #include <optional>
@@ -20,6 +21,9 @@ struct RegisteredView
     std::optional<RegistrationRecord> registration;
     std::optional<FloorView> floorView; ///< empty: not registered, or registered at another picture shape
 };
+
+/// How the clock of a trial's recording lies against the first view's.
+ViewClock clockOf(const RecordingRecord &recording);
 
 /// The camera registered to the floor, from the stored registration and the intrinsics that it was made with, whose
 /// uncertainty it carries to the floor.

@@ -3,7 +3,6 @@
 
 #include "core/tracking/colour_tracker.h"
 #include "core/trajectory/trimmed_outlines.h"
-#include "core/trajectory/view_clock.h"
 
 #include <algorithm>
 #include <array>
@@ -28,8 +27,7 @@ Error nothingThere(const RegisteredView &view, const PointedOut &told, const Rob
 {
     std::array<char, 160> why{};
     const auto frame = static_cast<std::size_t>(told.frame);
-    const ViewClock clock{fromSeconds(view.recording.startOffsetS), view.recording.clockRate};
-    const double timeS = frame < view.recording.frameTimes.size() ? toSeconds(clock.commonTime(view.recording.frameTimes[frame])) : 0;
+    const double timeS = frame < view.recording.frameTimes.size() ? toSeconds(clockOf(view.recording).commonTime(view.recording.frameTimes[frame])) : 0;
     std::snprintf(why.data(), why.size(), "nothing stands out from the floor at %.0f,%.0f at %.2f s for some frames", told.pixel.x(), told.pixel.y(), timeS);
     return {ErrorCode::InvalidInput, "robot '" + robot.name + "' in view '" + view.recording.cameraName + "'", why.data(),
             "point it out where all of it is seen and it moves"};
@@ -37,12 +35,17 @@ Error nothingThere(const RegisteredView &view, const PointedOut &told, const Rob
 
 } // namespace
 
+NamedRobot namedRobot(const RobotRecord &robot)
+{
+    return {isFoundByColour({robot.name, robot.colour}) ? robot.colour : std::nullopt, shapeOf(robot).heightM};
+}
+
 Result<std::vector<NameDoubt>> settleNames(const std::vector<RegisteredView> &views, const std::vector<RobotRecord> &robots,
                                            std::vector<TrackedView> &tracked, const std::vector<PointedOutRobot> &pointedOut)
 {
     std::vector<NamedRobot> named;
     for (const RobotRecord &robot : robots)
-        named.push_back({isFoundByColour({robot.name, robot.colour}) ? robot.colour : std::nullopt, shapeOf(robot).heightM});
+        named.push_back(namedRobot(robot));
     std::vector<NamedView> seen;
     for (std::size_t v = 0; v < views.size(); ++v) {
         NamedView &view = seen.emplace_back();

@@ -9,6 +9,9 @@
 
 namespace odo {
 
+/// A robot as far as it helps to tell who is who: by a colour only where one with chroma was told.
+NamedRobot namedRobot(const RobotRecord &robot);
+
 /// Settles, over all views of a trial, which of the tracked series is which robot (assignNames), before
 /// anything is analysed or stored, and which of what was followed a robot of any look is. The views' offsets must be known. Gives when it could not
 /// be told who is who, by the robots' numbers. pointedOut: of the trial. InvalidInput: nothing was followed where a robot was pointed out.

@@ -45,6 +45,15 @@ private Q_SLOTS:
         }
     }
 
+    void aPlaceLiesWithinTheLinesOrBeyondOne()
+    {
+        const std::vector<float> support = supportOf({{0, 0}, {8, 0}, {8, 4}, {0, 4}}, {3, 1});
+        QVERIFY(isWithinSupport(support, {3, 1}, {0.1, 3.9}));
+        QVERIFY(!isWithinSupport(support, {3, 1}, {8.5, 2}));
+        QVERIFY(isWithinSupport(support, {3, 1}, {8.5, 2}, 0.6));
+        QVERIFY(!isWithinSupport(support, {3, 1}, {8.5, 2}, 0.4));
+    }
+
     void aPointReachesToItself()
     {
         const std::vector<float> support = supportOf({{1, 0}}, {0, 0});

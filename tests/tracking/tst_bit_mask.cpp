@@ -157,7 +157,7 @@ private Q_SLOTS:
         QCOMPARE(mask.lastSet(width, 1), x1 - 1);
         QCOMPARE(mask.nextSet(0, 0), width);
         QCOMPARE(mask.lastSet(width, 0), -1);
-        mask.clearRun(1, x0, x1);
+        mask -= BitMask(mask);
         QVERIFY(mask.isEmpty() && mask.bounds().isEmpty());
     }
 };

@@ -125,7 +125,7 @@ void TestRecordSoak::recordTrial(int number, double seconds)
         const auto trials = m_project->trials().all();
         return trials && trials->size() == std::size_t(number) && trials->back().durationS > seconds;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(recorded(), startMs + int(4000 * seconds)); // a busy machine writes late
+    QTRY_VERIFY_WITH_TIMEOUT(recorded(), startMs + int(2000 * seconds));
     button->click();
     const auto measured = [&] {
         const auto metrics = m_project->analyses().currentMetrics(m_project->trials().all()->back().id);
