@@ -20,33 +20,37 @@ public:
 
     /// So many luma columns belong to whole chroma samples in every format.
     static constexpr int columnUnit = 4;
+    /// Values are in units of 1 / unit code values: as fine as halved chroma is between its samples.
+    static constexpr int unit = 16;
     /// The samples that the part needs; up to one beyond the plane on each side.
     const PixelRect &samples() const { return m_samples; }
-    /// So many values are written for so many columns.
-    static int rounded(int columns) { return (columns + columnUnit - 1) / columnUnit * columnUnit; }
+    /// So many values are written at most for so many columns, as several are made at once.
+    static int room(int columns) { return columns + atOnce - 1; }
 
     /// Makes a plane of the part's samples. valuesOf(row, first, last, into): writes those of a row of the plane from column first to before last.
     template <class ValuesOf>
-    void takeSamples(int planeWidth, int planeHeight, const ValuesOf &valuesOf, cv::Mat1f &into) const
+    void takeSamples(int planeWidth, int planeHeight, const ValuesOf &valuesOf, cv::Mat1s &into) const
     {
-        into.create(m_samples.height(), m_samples.width() + columnUnit);
+        into.create(m_samples.height(), m_samples.width() + 2 * atOnce);
         const int first = std::max(0, m_samples.x0), last = std::min(planeWidth, m_samples.x1);
         for (int y = 0; y < into.rows; ++y) {
-            float *row = into[y];
+            std::int16_t *row = into[y];
             valuesOf(std::clamp(m_samples.y0 + y, 0, planeHeight - 1), first, last, row + (first - m_samples.x0));
             std::fill(row, row + (first - m_samples.x0), row[first - m_samples.x0]);
             std::fill(row + (last - m_samples.x0), row + into.cols, row[last - 1 - m_samples.x0]);
         }
     }
-    /// Values at luma pixels of a row of the part, whose first is row 0, from column first, a multiple of columnUnit, to before last or a few more.
-    void enlargeRow(const cv::Mat1f &samples, int y, int first, int last, float *into);
+    /// Values at luma pixels of a row of the part, whose first is row 0, from column first, a multiple of columnUnit, to before last and a few more.
+    void enlargeRow(const cv::Mat1s &samples, int y, int first, int last, std::int16_t *into);
 
 private:
+    static constexpr int atOnce = 16;
+
     FrameFormat m_format;
     PixelRect m_part, m_samples;
     std::array<int, columnUnit> m_first{};     ///< of each luma column of a chroma sample: the sample to its left, against that one
-    std::array<float, columnUnit> m_beyond{};  ///< and how far beyond it the column lies, in samples
-    std::vector<float> m_blended;              ///< of one row
+    std::array<int, columnUnit> m_beyond{};    ///< and how far beyond it the column lies, in parts of a sample
+    std::vector<std::int16_t> m_blended;       ///< of one row
 };
 
 } // namespace odo

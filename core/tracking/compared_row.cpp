@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/compared_row.h"
 
+#include "core/tracking/background_noise.h"
 #include "core/tracking/chroma_enlarger.h"
 #include "core/tracking/difference_test.h"
-#include "core/tracking/fetch_early.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,111 +13,136 @@ namespace odo {
 namespace {
 
 constexpr float plainSteps = 6;                    // of the least step: half of black on grey
-constexpr float textureJitter = 0.08F;             // of the luma's slope: what coding and a lens that breathes move, pixels
 constexpr float darkest = 0.40F, lightest = 0.99F; // of the floor in shadow against the floor in light
 constexpr float darkestFloor = 12;                 // code values above black: on a darker one a shadow is not seen
-constexpr int windowRowsAhead = 6;                 // that are fetched before they are read
 
-/// Of a row of luma and those above and below it.
-struct NoiseRows
+// Fixed-point numbers of 16 bits, of which compilers do eight at once. Luma is in units of 1 / lumaUnit, shares of the noise of 1 / shareUnit.
+using Fixed = std::int16_t;
+constexpr int lumaUnit = 8, chromaUnit = ChromaEnlarger::unit, shareUnit = 32;
+constexpr Fixed mostLumaStep = 255 * lumaUnit, mostChromaStep = 255 * chromaUnit;
+constexpr Fixed mostShare = 144; // beyond what differs by itself; three squares of it fit in 16 bits
+static_assert(mostShare * mostShare > shareUnit * shareUnit * differsInSigmas2 && 3 * mostShare * mostShare < (1 << 16));
+
+// By value, other than std::min and std::max: so compilers know them.
+Fixed lesser(Fixed a, Fixed b)
 {
-    const std::uint8_t *here, *above, *below, *sigma;
-
-    NoiseRows(const Background::Plane &luma, int y)
-        : here(luma.row(y)), above(luma.row(std::max(0, y - 1))), below(luma.row(std::min(luma.height - 1, y + 1))), sigma(luma.sigmaRow(y))
-    {
-    }
-    float at(int x, int left, int right, float jitter2) const
-    {
-        const int slopeX = here[right] - here[left], slopeY = below[x] - above[x];
-        return squared(float(sigma[x]) * Background::sigmaUnit) + jitter2 * (squared(float(slopeX)) + squared(float(slopeY)));
-    }
-};
-
-void readLumaNoise(const Background::Plane &luma, float factor, const PixelRect &part, int y, float *__restrict into)
-{
-    const NoiseRows rows(luma, y);
-    const float jitter2 = squared(textureJitter * factor);
-    const int x0 = part.x0, last = part.x1 - 1;
-    for (int x = x0 + 1; x < last; ++x)
-        into[x - x0] = rows.at(x, x - 1, x + 1, jitter2);
-    into[0] = lumaNoise2At(luma, factor, x0, y);
-    into[last - x0] = lumaNoise2At(luma, factor, last, y);
+    return a < b ? a : b;
 }
 
-/// Of the sample that each pixel lies in.
-void readChromaSigma(const Background &background, const PixelRect &part, int y, float *__restrict into)
+Fixed greater(Fixed a, Fixed b)
 {
-    const int sx = background.format.chromaShiftX, cy = y >> background.format.chromaShiftY;
-    const std::uint8_t *u = background.u.sigmaRow(cy) + (part.x0 >> sx), *v = background.v.sigmaRow(cy) + (part.x0 >> sx);
-    const int perSample = 1 << sx, samples = (part.width() + perSample - 1) >> sx;
-    const auto sigmaOf = [&](int k) { return float(std::max(u[k], v[k])) * Background::sigmaUnit; };
-    if (perSample == 2) { // nearly always
-        for (int k = 0; k < samples; ++k)
-            into[2 * k] = into[2 * k + 1] = sigmaOf(k);
-    } else {
-        for (int k = 0; k < samples; ++k)
-            std::fill_n(into + std::ptrdiff_t(k) * perSample, perSample, sigmaOf(k));
+    return a > b ? a : b;
+}
+
+Fixed size(Fixed value)
+{
+    return greater(value, Fixed(-value));
+}
+
+/// The upper half of a product.
+Fixed upper(Fixed a, Fixed b)
+{
+    return Fixed((int(a) * int(b)) >> 16);
+}
+
+std::uint16_t square(Fixed value)
+{
+    return std::uint16_t(std::uint16_t(value) * std::uint16_t(value));
+}
+
+constexpr int halfUnit = 1 << 15, quarterUnit = 1 << 14; // by which `upper` takes a half and a quarter
+
+/// Steps in units of the noise.
+Fixed lumaShare(Fixed step, Fixed inverse)
+{
+    constexpr int enlarged = 16;
+    static_assert(lumaUnit * enlarged * BackgroundNoise::unit == shareUnit << 16);
+    return upper(Fixed(step * enlarged), inverse);
+}
+
+Fixed chromaShare(Fixed step, Fixed inverse)
+{
+    constexpr int enlarged = 8;
+    static_assert(chromaUnit * enlarged * BackgroundNoise::unit == shareUnit << 16);
+    return upper(Fixed(step * enlarged), inverse);
+}
+
+/// Luma above black, as seen and of the background in the frame's light.
+class LumaPair
+{
+public:
+    explicit LumaPair(const ComparedRow &row)
+        : m_now(row.now), m_behind(row.behind), m_black(Fixed(row.gain.black)), m_factor(Fixed(std::lround(row.gain.factor * factorUnit)))
+    {
     }
+    bool isBright(int x) const { return m_now[x] >= LightGain::mostLuma; }
+    Fixed seen(int x) const { return Fixed(Fixed(m_now[x] - m_black) * lumaUnit); }
+    Fixed floor(int x) const { return upper(Fixed(Fixed(m_behind[x] - m_black) * (lumaUnit * (1 << 16) / factorUnit)), m_factor); }
+
+private:
+    static constexpr int factorUnit = 4096;
+    const std::uint8_t *m_now, *m_behind;
+    Fixed m_black, m_factor;
+};
+
+struct ChromaPair
+{
+    const Fixed *seen, *behind;
+
+    Fixed step(int x) const { return lesser(size(Fixed(seen[x] - behind[x])), mostChromaStep); }
+};
+
+/// Does something for so many columns and perhaps a few beside them, in blocks, the last of which overlaps the one before: so no columns remain that are
+/// done singly.
+template <class Function>
+void forBlocks(int first, int last, int width, const Function &function)
+{
+    constexpr int block = ComparedRow::leastWidth;
+    for (int begin = first; begin < last; begin += block)
+        for (int i = 0; i < block; ++i)
+            function(std::min(begin, width - block) + i);
 }
 
 } // namespace
 
-float lumaNoise2At(const Background::Plane &luma, float factor, int x, int y)
-{
-    return NoiseRows(luma, y).at(x, std::max(0, x - 1), std::min(luma.width - 1, x + 1), squared(textureJitter * factor));
-}
-
-void ComparedRow::begin(const Frame &frame, const Background &background, const LightGain &gain, const PixelRect &part, int y)
-{
-    m_width = part.width();
-    m_black = float(gain.black);
-    m_factor = gain.factor;
-    m_now = frame.y.row(y) + part.x0;
-    m_behind = background.y.row(y) + part.x0;
-    for (std::vector<float> *row : {&u, &v, &uBehind, &vBehind, &m_lumaNoise2, &m_chromaSigma})
-        row->resize(std::size_t(ChromaEnlarger::rounded(part.width())));
-    readLumaNoise(background.y, gain.factor, part, y, m_lumaNoise2.data());
-    readChromaSigma(background, part, y, m_chromaSigma.data());
-    if (y + windowRowsAhead < part.y1) {
-        fetchEarly(frame.y.row(y + windowRowsAhead) + part.x0, m_width);
-        fetchEarly(background.y.row(y + windowRowsAhead) + part.x0, m_width);
-        fetchEarly(background.y.sigmaRow(y + windowRowsAhead) + part.x0, m_width);
-    }
-}
-
-// In these loops stand differences above or below 0 instead of conditions, so that compilers do several pixels at once.
-
 void ComparedRow::markDifferences(std::uint8_t *__restrict differs, std::uint8_t *__restrict plain) const
 {
-    const std::uint8_t *now = m_now, *behind = m_behind;
-    const float *us = u.data(), *vs = v.data(), *usBehind = uBehind.data(), *vsBehind = vBehind.data();
-    const float *lumaNoise2 = m_lumaNoise2.data(), *chromaSigma = m_chromaSigma.data();
-    const float black = m_black, factor = m_factor;
-    for (int x = 0; x < m_width; ++x) {
-        const float luma = now[x], darker = (luma - black) - factor * (float(behind[x]) - black);
-        const float leastDarker = std::min(0.0F, 255 * (luma - float(LightGain::mostLuma))); // none from there on: it may be as light as expected
-        const float dy = std::max(darker, leastDarker);
-        const float du = us[x] - usBehind[x], dv = vs[x] - vsBehind[x], ln = lumaNoise2[x], cn = squared(chromaSigma[x]);
-        const float beyondNoise = dy * dy * cn + (du * du + dv * dv) * ln - differsInSigmas2 * ln * cn;
-        const float steps = std::max(std::abs(dy) * (1 / leastLumaStep), std::max(std::abs(du), std::abs(dv)) * (1 / leastChromaStep));
-        differs[x] = std::min(beyondNoise, steps - 1) > 0 ? 1 : 0;
-        plain[x] = std::min(beyondNoise, steps - plainSteps) > 0 ? 1 : 0;
-    }
+    constexpr auto least = std::uint16_t(differsInSigmas2 * shareUnit * shareUnit);
+    constexpr auto lumaStep = Fixed(leastLumaStep * lumaUnit), chromaStep = Fixed(leastChromaStep * chromaUnit);
+    constexpr auto plainLuma = Fixed(plainSteps * lumaStep), plainChroma = Fixed(plainSteps * chromaStep);
+    const auto perNoise = Fixed(std::lround(32767 / std::max(1.0F, gain.factor))); // the noise grows with the light
+    const LumaPair lumas(*this);
+    const ChromaPair us{u, uBehind}, vs{v, vBehind};
+    const Fixed *perLuma = lumaInverse, *perChroma = chromaInverse;
+    forBlocks(0, width, width, [=](int x) {
+        const Fixed lighter = Fixed(lumas.seen(x) - lumas.floor(x)), step = lumas.isBright(x) ? greater(lighter, 0) : lighter; // it may be as light as expected
+        const Fixed stepY = lesser(size(step), mostLumaStep), stepU = us.step(x), stepV = vs.step(x), chroma = greater(stepU, stepV);
+        const Fixed shareY = lesser(upper(Fixed(lumaShare(stepY, perLuma[x]) * 2), perNoise), mostShare);
+        const Fixed shareU = lesser(chromaShare(stepU, perChroma[x]), mostShare), shareV = lesser(chromaShare(stepV, perChroma[x]), mostShare);
+        const bool isBeyondNoise = std::uint16_t(square(shareY) + square(shareU) + square(shareV)) > least;
+        differs[x] = isBeyondNoise & ((stepY > lumaStep) | (chroma > chromaStep));
+        plain[x] = isBeyondNoise & ((stepY > plainLuma) | (chroma > plainChroma));
+    });
 }
 
 void ComparedRow::markDarkened(int first, int last, std::uint8_t *__restrict darkened) const
 {
-    const std::uint8_t *now = m_now, *behind = m_behind;
-    const float *us = u.data(), *vs = v.data(), *usBehind = uBehind.data(), *vsBehind = vBehind.data(), *chromaSigma = m_chromaSigma.data();
-    const float black = m_black, factor = m_factor;
-    for (int x = first; x < last; ++x) {
-        const float luma = float(now[x]) - black, floor = factor * (float(behind[x]) - black), tolerance = 3 * chromaSigma[x] + 1.5F;
-        const float beyondLuma = std::max(darkestFloor - floor, std::max(darkest * floor - luma, luma - lightest * floor));
-        const float beyondU = std::abs(us[x] * floor - luma * usBehind[x]) - (tolerance + 0.1F * std::abs(usBehind[x])) * floor;
-        const float beyondV = std::abs(vs[x] * floor - luma * vsBehind[x]) - (tolerance + 0.1F * std::abs(vsBehind[x])) * floor;
-        darkened[x - first] = std::max(beyondLuma, std::max(beyondU, beyondV)) < 0 ? 1 : 0;
-    }
+    constexpr auto leastFloor = Fixed(darkestFloor * lumaUnit), leastShare = Fixed(darkest * halfUnit), mostLight = Fixed(lightest * halfUnit);
+    constexpr auto tolerance = Fixed(1.5F * chromaUnit), ofHue = Fixed(0.1F * 2 * halfUnit), mostNoise = Fixed(3 * shareUnit);
+    const LumaPair lumas(*this);
+    const ChromaPair us{u, uBehind}, vs{v, vBehind};
+    const Fixed *perChroma = chromaInverse;
+    forBlocks(first, last, width, [=](int x) {
+        const Fixed luma = lumas.seen(x), floor = lumas.floor(x), twice = Fixed(2 * floor);
+        const bool isBetween = (floor > leastFloor) & (luma > upper(twice, leastShare)) & (luma < upper(twice, mostLight));
+        const auto ratio = Fixed(int(quarterUnit * float(lesser(luma, floor)) / float(greater(floor, 1))));
+        const auto isAlike = [=](const ChromaPair &pair) {
+            const Fixed expected = upper(Fixed(4 * pair.behind[x]), ratio), off = lesser(size(Fixed(pair.seen[x] - expected)), mostChromaStep);
+            const Fixed beyond = Fixed(off - tolerance - upper(size(pair.behind[x]), ofHue));
+            return chromaShare(beyond, perChroma[x]) < mostNoise;
+        };
+        darkened[x] = isBetween & isAlike(us) & isAlike(vs);
+    });
 }
 
 } // namespace odo

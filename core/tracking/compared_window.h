@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/tracking/background_noise.h"
 #include "core/tracking/bit_mask.h"
 #include "core/tracking/chroma_enlarger.h"
 #include "core/tracking/compared_row.h"
@@ -20,8 +21,11 @@ struct PixelColour
 class ComparedWindow
 {
 public:
-    /// Compares a part of a whole frame of the background's format. Frame and background must outlive the use of what was found.
-    void compare(const Frame &frame, const Background &background, const LightGain &gain, const DifferenceWindow &part);
+    /// background: must outlive this.
+    explicit ComparedWindow(const Background &background);
+
+    /// Compares a part of a whole frame of the background's format. The frame must outlive the use of what was found.
+    void compare(const Frame &frame, const LightGain &gain, const DifferenceWindow &part);
 
     /// The window, around what differs; empty where nothing does. All else is in its pixels, and known only near what differs.
     const PixelRect &rect() const { return m_rect; }
@@ -37,10 +41,10 @@ public:
     PixelColour seen(int x, int y) const { return {float(m_frame->y.row(m_rect.y0 + y)[m_rect.x0 + x] - m_gain.black), m_u(y, x) / chromaUnit, m_v(y, x) / chromaUnit}; }
     PixelColour behind(int x, int y) const
     {
-        return {m_gain.factor * float(m_background->y.row(m_rect.y0 + y)[m_rect.x0 + x] - m_gain.black), m_uBehind(y, x) / chromaUnit, m_vBehind(y, x) / chromaUnit};
+        return {m_gain.factor * float(m_background.y.row(m_rect.y0 + y)[m_rect.x0 + x] - m_gain.black), m_uBehind(y, x) / chromaUnit, m_vBehind(y, x) / chromaUnit};
     }
     /// Variances of the background.
-    float lumaNoise2(int x, int y) const { return lumaNoise2At(m_background->y, m_gain.factor, m_rect.x0 + x, m_rect.y0 + y); }
+    float lumaNoise2(int x, int y) const { return lumaNoise2At(m_background.y, m_gain.factor, m_rect.x0 + x, m_rect.y0 + y); }
     float chromaNoise2(int x, int y) const;
 
     /// A row of luma as coded, and of chroma as seen in units of 1 / chromaUnit.
@@ -48,23 +52,25 @@ public:
     const std::int16_t *uRow(int y) const { return m_u[y]; }
     const std::int16_t *vRow(int y) const { return m_v[y]; }
     const LightGain &gain() const { return m_gain; }
-    static constexpr float chromaUnit = 32; ///< finer than what enlarging makes between code values
+    static constexpr float chromaUnit = ChromaEnlarger::unit;
 
 private:
     void compareRows(const DifferenceWindow &part);
     void compareRow(const DifferenceWindow &part, int y, ChromaEnlarger &enlarger);
+    void readChromaInverse(int x0, int width, int y);
     void placeAround(const PixelRect &found, const PixelRect &part);
 
+    const Background &m_background;
+    BackgroundNoise m_noise;
     const Frame *m_frame = nullptr;
-    const Background *m_background = nullptr;
     LightGain m_gain;
     PixelRect m_rect;
     BitMask m_differs, m_plain, m_darkened;
     cv::Mat1s m_u, m_v, m_uBehind, m_vBehind;                 ///< parts of those below
     cv::Mat1s m_uPart, m_vPart, m_uBehindPart, m_vBehindPart; ///< of the whole part
-    cv::Mat1f m_uSamples, m_vSamples, m_uBehindSamples, m_vBehindSamples;
-    std::vector<std::uint8_t> m_marks, m_plainMarks, m_darkMarks; ///< of one row
-    ComparedRow m_row;
+    cv::Mat1s m_uSamples, m_vSamples, m_uBehindSamples, m_vBehindSamples;
+    std::vector<std::int16_t> m_chromaInverse;                    ///< of one row's pixels
+    std::vector<std::uint8_t> m_marks, m_plainMarks, m_darkMarks;
 };
 
 } // namespace odo

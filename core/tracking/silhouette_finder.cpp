@@ -116,7 +116,7 @@ BitMask cutAppendages(BitMask &region)
 
 struct SilhouetteFinder::Impl
 {
-    explicit Impl(Background learned) : background(std::move(learned)), lattice(background) {}
+    explicit Impl(Background learned) : background(std::move(learned)), lattice(background), window(background) {}
 
     Background background;
     DifferenceLattice lattice;
@@ -135,7 +135,7 @@ struct SilhouetteFinder::Impl
 /// Whether anything differs in a part of the picture.
 bool SilhouetteFinder::Impl::look(const Frame &frame, const DifferenceWindow &part)
 {
-    window.compare(frame, background, lattice.gain(), part);
+    window.compare(frame, lattice.gain(), part);
     if (window.rect().isEmpty())
         return false;
     shade.find(window);

@@ -35,19 +35,18 @@ private Q_SLOTS:
         const auto sampleY = [&](int cy) { return (cy << shiftY) + format.chromaOffsetY(); };
         for (const PixelRect &part : {PixelRect{0, 0, 61, 37}, PixelRect{8, 3, 41, 30}, PixelRect{56, 36, 61, 37}}) {
             ChromaEnlarger enlarger(format, part);
-            cv::Mat1f samples;
-            enlarger.takeSamples(width, height, [&](int cy, int first, int last, float *into) {
+            cv::Mat1s samples;
+            enlarger.takeSamples(width, height, [&](int cy, int first, int last, std::int16_t *into) {
                 for (int cx = first; cx < last; ++cx)
-                    into[cx - first] = float(3 * sampleX(cx) - 2 * sampleY(cy));
+                    into[cx - first] = std::int16_t(ChromaEnlarger::unit * (3 * sampleX(cx) - 2 * sampleY(cy)));
             }, samples);
             const int skipped = part.width() > 8 ? ChromaEnlarger::columnUnit : 0; // rows need not be made whole
-            std::vector<float> row(std::size_t(ChromaEnlarger::rounded(part.width() - skipped)));
+            std::vector<std::int16_t> row(std::size_t(ChromaEnlarger::room(part.width() - skipped)));
             for (int y = 0; y < part.height(); ++y) {
                 enlarger.enlargeRow(samples, y, skipped, part.width(), row.data());
                 for (int x = skipped; x < part.width(); ++x) {
                     const double atX = std::clamp(double(part.x0 + x), sampleX(0), sampleX(width - 1)), atY = std::clamp(double(part.y0 + y), sampleY(0), sampleY(height - 1));
-                    // Numbers up to 200 in steps of an eighth are exact in a float.
-                    QCOMPARE(row[std::size_t(x - skipped)], float(3 * atX - 2 * atY));
+                    QCOMPARE(double(row[std::size_t(x - skipped)]), ChromaEnlarger::unit * (3 * atX - 2 * atY));
                 }
             }
         }

@@ -74,8 +74,8 @@ private Q_SLOTS:
         const auto groups = windowsAround(lattice.differences(), picture);
         QCOMPARE(groups.size(), std::size_t(1));
         QCOMPARE(groups.front().size(), std::size_t(1));
-        ComparedWindow window;
-        window.compare(frame, background, lattice.gain(), groups.front().front());
+        ComparedWindow window(background);
+        window.compare(frame, lattice.gain(), groups.front().front());
         const PixelRect around{100, 80, 150, 120};
         QVERIFY(window.rect().contains(around));
         // Chroma is at half the resolution, so a pixel beside the edge may differ by its chroma.
@@ -101,8 +101,8 @@ private Q_SLOTS:
             const Frame frame = frameOf(painter, 0);
             DifferenceLattice lattice(background);
             lattice.compare(frame, background);
-            ComparedWindow window;
-            window.compare(frame, background, lattice.gain(), windowsAround(lattice.differences(), picture).front().front());
+            ComparedWindow window(background);
+            window.compare(frame, lattice.gain(), windowsAround(lattice.differences(), picture).front().front());
             FloorShade shade;
             shade.find(window);
             QVERIFY(shade.shade().isEmpty() && shade.byHue().isEmpty());
@@ -139,8 +139,8 @@ private Q_SLOTS:
             const Frame frame = frameOf(painter, 0);
             DifferenceLattice lattice(background);
             lattice.compare(frame, background);
-            ComparedWindow window;
-            window.compare(frame, background, lattice.gain(), windowsAround(lattice.differences(), picture).front().front());
+            ComparedWindow window(background);
+            window.compare(frame, lattice.gain(), windowsAround(lattice.differences(), picture).front().front());
             FloorShade shade;
             shade.find(window);
             const double share = double(shade.shade().count()) / (50 * 40);
