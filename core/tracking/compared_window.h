@@ -51,6 +51,10 @@ public:
     const std::uint8_t *lumaRow(int y) const { return m_frame->y.row(m_rect.y0 + y) + m_rect.x0; }
     const std::int16_t *uRow(int y) const { return m_u[y]; }
     const std::int16_t *vRow(int y) const { return m_v[y]; }
+    /// The same of the background, the chroma in the frame's light.
+    const std::uint8_t *lumaBehindRow(int y) const { return m_background.y.row(m_rect.y0 + y) + m_rect.x0; }
+    const std::int16_t *uBehindRow(int y) const { return m_uBehind[y]; }
+    const std::int16_t *vBehindRow(int y) const { return m_vBehind[y]; }
     const LightGain &gain() const { return m_gain; }
     static constexpr float chromaUnit = ChromaEnlarger::unit;
 

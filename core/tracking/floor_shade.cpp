@@ -11,125 +11,161 @@ namespace odo {
 
 namespace {
 
-constexpr int patchReach = 3;                           // of the patches whose texture is compared, pixels to each side
-constexpr int patchRows = 2 * patchReach + 1;
-constexpr int leastPatch = 16;                     // pixels
-constexpr double flatness = 0.25;                  // of the texture's variance
-constexpr double clearTexture = 6;                 // its variance against the noise's
-constexpr float otherHue = 2.2F;                   // code values, of a patch's mean chroma against that of the floor in shadow
-constexpr float logUnit = 1024, hueUnit = 256;  // of the fixed-point sums: finer than the steps of code values
+constexpr int patchReach = 3; // of the patches that are judged, pixels to each side
+constexpr int patchRows = 2 * patchReach + 1, patchPixels = patchRows * patchRows;
+constexpr int leastPatch = 16;     // pixels
+constexpr int flatness = 4;        // the variance of the texture behind against that of what is seen
+constexpr double clearTexture = 6; // its variance against the noise's
+constexpr float otherHue = 2.2F;   // code values, of a patch's mean chroma against that of the floor in shadow
+constexpr float logUnit = 1024;    // of the fixed-point sums: finer than the steps of code values
+constexpr int hueUnit = 256;
+constexpr std::int64_t ratioUnit = 1 << 30, ratioPerHue = ratioUnit * int(ComparedWindow::chromaUnit) / hueUnit;
 
-enum ShadeSum { pixelsSum, seenSum, seen2Sum, behindSum, behind2Sum, offUSum, offVSum };
+// A log sum holds three sums in one number: of the logarithms of luma above black in units of 1 / logUnit (the upper bits), of the pixels (6 bits), and of
+// the squares of the logarithms (the lower 32 bits). A patch is too small for one to run into the next.
+constexpr int pixelsShift = 32, logShift = 38;
+static_assert(patchPixels < 1 << (logShift - pixelsShift));
 
-/// Logarithms of luma above black in units of 1 / logUnit.
-std::array<std::int32_t, 256> makeLogs()
+/// The log sum of one pixel, for each luma above black.
+std::array<std::uint64_t, 256> makeLogSums()
 {
-    std::array<std::int32_t, 256> logs{};
-    for (std::size_t i = 1; i < logs.size(); ++i)
-        logs[i] = std::int32_t(std::lround(logUnit * std::log(float(i))));
-    return logs;
+    std::array<std::uint64_t, 256> sums{};
+    for (std::size_t i = 1; i < sums.size(); ++i) {
+        const auto log = std::uint64_t(std::lround(logUnit * std::log(float(i))));
+        sums[i] = (log << logShift) + (std::uint64_t(1) << pixelsShift) + log * log;
+    }
+    return sums;
 }
 
-/// n² times the variance of n values, from their sum and the sum of their squares.
-double scaledVariance(double n, double sum, double squares)
+std::size_t pixelsIn(std::uint64_t logSum)
 {
-    return n * squares - sum * sum;
+    return (logSum >> pixelsShift) % (1U << (logShift - pixelsShift));
 }
+
+/// n² times the variance of n logarithms.
+std::int64_t scaledVariance(std::size_t n, std::uint64_t logSum)
+{
+    const auto sum = std::int64_t(logSum >> logShift), squares = std::int64_t(std::uint32_t(logSum));
+    return std::int64_t(n) * squares - sum * sum;
+}
+
+/// By how much the summed chroma of n pixels of the floor's own hue may be off.
+constexpr auto mostOff = [] {
+    std::array<std::int64_t, patchPixels + 1> most{};
+    for (std::size_t n = 0; n < most.size(); ++n)
+        most[n] = std::int64_t(otherHue * float(hueUnit) * float(n));
+    return most;
+}();
 
 } // namespace
+
+void FloorShade::Sums::add(const Sums &other)
+{
+    seen += other.seen;
+    behind += other.behind;
+    offU += other.offU;
+    offV += other.offV;
+}
+
+void FloorShade::Sums::remove(const Sums &other)
+{
+    seen -= other.seen;
+    behind -= other.behind;
+    offU -= other.offU;
+    offV -= other.offV;
+}
 
 void FloorShade::find(const ComparedWindow &window)
 {
     m_shade = window.darkened();
     m_byHue.reset(m_shade.width(), m_shade.height());
-    m_box = m_shade.bounds();
-    const std::vector<Sums> none(std::size_t(m_box.width() + 2 * patchReach));
-    m_rows.assign(patchRows + 1, none);
-    m_columns = none;
-    for (int y = m_box.y0; y < m_box.y1 + patchReach; ++y) {
-        takeRow(window, y);
-        exchangeRows(slot(y), slot(y + 1)); // the latter lies above the patch of the row judged now
-        if (y - patchReach >= m_box.y0)
+    readGain(window.gain());
+    m_columns.assign(std::size_t(m_shade.width() + 2 * patchReach), {});
+    m_rows.resize(patchRows);
+    for (std::vector<Sums> &row : m_rows)
+        row.resize(std::size_t(m_shade.width()));
+    const PixelRect box = m_shade.bounds();
+    for (int y = box.y0; y < box.y1 + patchReach; ++y) {
+        if (y - patchRows >= box.y0)
+            removeRow(window, y - patchRows); // the one above the patch of the row judged now
+        if (y < box.y1)
+            takeRow(window, y);
+        if (y - patchReach >= box.y0)
             judgeRow(window, y - patchReach);
     }
 }
 
-std::vector<FloorShade::Sums> &FloorShade::slot(int y)
+/// Divides once for each luma instead of for each pixel.
+void FloorShade::readGain(const LightGain &gain)
 {
-    return m_rows[std::size_t(y) % m_rows.size()];
+    for (int i = 0; i < int(m_perLuma.size()); ++i)
+        m_perLuma[std::size_t(i)] = std::int32_t(float(ratioUnit) / std::max(1.0F, gain.factor * float(i)));
 }
 
+std::vector<FloorShade::Sums> &FloorShade::rowAt(int y)
+{
+    return m_rows[std::size_t(y) % patchRows];
+}
+
+void FloorShade::removeRow(const ComparedWindow &window, int y)
+{
+    const Sums *sums = rowAt(y).data();
+    Sums *columns = m_columns.data() + patchReach;
+    window.darkened().forEachInRow(y, [&](int x) { columns[x].remove(sums[x]); });
+}
+
+/// Adds a row to the columns. Floor in shadow has the chroma of the background times the ratio of luma as seen to that of the background.
 void FloorShade::takeRow(const ComparedWindow &window, int y)
 {
-    static const auto logs = makeLogs();
-    std::vector<Sums> &row = slot(y);
-    std::ranges::fill(row, Sums{});
-    if (y >= m_box.y1)
-        return;
-    const float perGain = 1 / window.gain().factor; // a factor adds to all logarithms, and to no variance
-    Sums *sums = row.data() + patchReach;
+    static const std::array<std::uint64_t, 256> logSums = makeLogSums();
+    const auto black = std::size_t(window.gain().black);
+    const std::uint8_t *luma = window.lumaRow(y), *lumaBehind = window.lumaBehindRow(y);
+    const std::int16_t *u = window.uRow(y), *v = window.vRow(y), *uBehind = window.uBehindRow(y), *vBehind = window.vBehindRow(y);
+    const auto off = [](std::int64_t seen, std::int64_t behind, std::int64_t ratio) { return (ratioUnit * seen - ratio * behind) / ratioPerHue; };
+    Sums *sums = rowAt(y).data(), *columns = m_columns.data() + patchReach;
     window.darkened().forEachInRow(y, [&](int x) {
-        const PixelColour seen = window.seen(x, y), behind = window.behind(x, y);
-        const float ratio = seen.luma / behind.luma;
-        const std::int32_t now = logs[std::size_t(std::int32_t(seen.luma))], before = logs[std::size_t(std::int32_t(behind.luma * perGain + 0.5F))];
-        const auto offU = std::int32_t(hueUnit * (seen.u - ratio * behind.u)), offV = std::int32_t(hueUnit * (seen.v - ratio * behind.v));
-        sums[x - m_box.x0] = {1, now, now * now, before, before * before, offU, offV, 0};
+        const std::size_t now = luma[x] - black, before = lumaBehind[x] - black; // both above 0; the gain would add to all logarithms, and to no variance
+        const std::int64_t ratio = std::int64_t(now) * m_perLuma[before]; // of luma
+        sums[x] = {logSums[now], logSums[before], off(u[x], uBehind[x], ratio), off(v[x], vBehind[x], ratio)};
+        columns[x].add(sums[x]);
     });
-}
-
-/// Takes a row into the patches' sums, and another out of them.
-void FloorShade::exchangeRows(const std::vector<Sums> &added, const std::vector<Sums> &removed)
-{
-    const std::int32_t *more = added.front().data(), *less = removed.front().data();
-    std::int32_t *__restrict into = m_columns.front().data();
-    const int count = int(added.size() * Sums().size());
-    for (int i = 0; i < count; ++i)
-        into[i] += more[i] - less[i];
 }
 
 /// Takes from the shade what the patch around it shows to be none.
 void FloorShade::judgeRow(const ComparedWindow &window, int y)
 {
-    const BitMask &candidates = window.darkened();
-    Sums sums{};
-    const auto add = [&sums](const Sums &column) {
-        for (std::size_t k = 0; k < sums.size(); ++k)
-            sums[k] += column[k];
-    };
-    const auto remove = [&sums](const Sums &column) {
-        for (std::size_t k = 0; k < sums.size(); ++k)
-            sums[k] -= column[k];
-    };
-    std::size_t begin = 0, end = 0; // of the columns that are in the sums
-    candidates.forEachInRow(y, [&](int x) {
-        const auto first = std::size_t(x - m_box.x0), last = first + patchRows;
-        if (first >= end) {
-            sums = Sums{};
-            begin = end = first;
+    Sums sums;
+    int next = -1; // the pixel whose patch the sums hold, save for its last column
+    window.darkened().forEachInRow(y, [&](int x) {
+        const Sums *patch = m_columns.data() + x; // its first column
+        if (x != next) {
+            sums = {};
+            for (int i = 0; i < patchRows - 1; ++i)
+                sums.add(patch[i]);
         }
-        for (; begin < first; ++begin)
-            remove(m_columns[begin]);
-        for (; end < last; ++end)
-            add(m_columns[end]);
+        sums.add(patch[patchRows - 1]);
         judge(window, sums, x, y);
+        sums.remove(patch[0]);
+        next = x + 1;
     });
 }
 
-void FloorShade::judge(const ComparedWindow &window, const Sums &sums, int x, int y)
+/// Compares the variances of the logarithms, which a shadow's factor leaves as they are.
+inline void FloorShade::judge(const ComparedWindow &window, const Sums &sums, int x, int y)
 {
-    if (sums[pixelsSum] < leastPatch)
+    const std::size_t n = pixelsIn(sums.seen);
+    if (n < leastPatch)
         return;
-    const auto n = double(sums[pixelsSum]);
-    if (std::max(std::abs(sums[offUSum]), std::abs(sums[offVSum])) > otherHue * hueUnit * float(n)) {
+    if (std::max(std::abs(sums.offU), std::abs(sums.offV)) > mostOff[n]) {
         m_byHue.set(x, y);
         m_shade.clear(x, y);
         return;
     }
-    const double variance = scaledVariance(n, sums[seenSum], sums[seen2Sum]), varianceBehind = scaledVariance(n, sums[behindSum], sums[behind2Sum]);
-    if (variance >= flatness * varianceBehind)
+    const std::int64_t varianceBehind = scaledVariance(n, sums.behind);
+    if (flatness * scaledVariance(n, sums.seen) >= varianceBehind)
         return;
     const float luma = std::max(1.0F, window.seen(x, y).luma);
-    if (varianceBehind * double(squared(luma)) > clearTexture * n * n * double(squared(logUnit) * window.lumaNoise2(x, y)))
+    if (double(varianceBehind) * double(squared(luma)) > clearTexture * double(n * n) * double(squared(logUnit) * window.lumaNoise2(x, y)))
         m_shade.clear(x, y);
 }
 

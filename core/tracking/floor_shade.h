@@ -22,20 +22,28 @@ public:
     const BitMask &byHue() const { return m_byHue; }
 
 private:
-    /// Of the pixels that may be in shadow: their number, the logarithms of luma and its squares as seen and behind, and by how much the chroma is
-    /// off that of the floor in shadow, all in fixed point so that they can be added and taken away without loss.
-    using Sums = std::array<std::int32_t, 8>;
+    /// Of pixels that may be in shadow: the log sums of luma as seen and behind, and by how much the chroma is off that of the floor in shadow. Whole
+    /// numbers, so that pixels can be added and removed without loss.
+    struct Sums
+    {
+        std::uint64_t seen = 0, behind = 0;
+        std::int64_t offU = 0, offV = 0;
 
+        void add(const Sums &other);
+        void remove(const Sums &other);
+    };
+
+    void readGain(const LightGain &gain);
+    std::vector<Sums> &rowAt(int y);
+    void removeRow(const ComparedWindow &window, int y);
     void takeRow(const ComparedWindow &window, int y);
     void judgeRow(const ComparedWindow &window, int y);
     void judge(const ComparedWindow &window, const Sums &sums, int x, int y);
-    std::vector<Sums> &slot(int y);
-    void exchangeRows(const std::vector<Sums> &added, const std::vector<Sums> &removed);
 
     BitMask m_shade, m_byHue;
-    PixelRect m_box;                       ///< of what may be in shadow
-    std::vector<std::vector<Sums>> m_rows; ///< of a patch's height and one above it, each with half a patch at both ends
-    std::vector<Sums> m_columns;           ///< what they add up to
+    std::array<std::int32_t, 256> m_perLuma{}; ///< reciprocals of the background's luma in the frame's light, fixed point, by its luma above black
+    std::vector<std::vector<Sums>> m_rows;     ///< of a patch's height; only the pixels that may be in shadow are written
+    std::vector<Sums> m_columns;               ///< what the rows add up to, with half a patch more at both ends
 };
 
 } // namespace odo

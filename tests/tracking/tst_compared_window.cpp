@@ -7,6 +7,9 @@
 
 #include <QTest>
 
+#include <array>
+#include <cmath>
+
 using namespace odo;
 using namespace odo::test;
 
@@ -28,6 +31,46 @@ Background backgroundOf(const Painter &floor)
         return plane;
     };
     return {frame.format, planeOf(frame.y), planeOf(frame.u), planeOf(frame.v)};
+}
+
+/// Two browns, in squares of 4 pixels.
+Painter chequeredFloor()
+{
+    Painter floor(format, {150, 140, 120});
+    for (int y = 0; y < format.height; y += 8)
+        for (int x = y % 16 == 0 ? 0 : 4; x < format.width; x += 8)
+            floor.rectangle({x - 0.5, y - 0.5}, {x + 3.5, y + 3.5}, {110, 103, 88});
+    return floor;
+}
+
+enum class Verdict { Shade, OtherHue, Flat, Unclear };
+
+/// What a pixel that is as dark as in a shadow is, by all such pixels of the 7 x 7 around it; unclear where it nearly is something else.
+Verdict verdictOf(const ComparedWindow &w, int x, int y)
+{
+    double n = 0, offU = 0, offV = 0, seen = 0, seen2 = 0, behind = 0, behind2 = 0;
+    for (int py = std::max(0, y - 3); py <= std::min(w.height() - 1, y + 3); ++py)
+        for (int px = std::max(0, x - 3); px <= std::min(w.width() - 1, x + 3); ++px) {
+            if (!w.darkened().at(px, py))
+                continue;
+            const PixelColour now = w.seen(px, py), floor = w.behind(px, py);
+            const double logNow = std::log(double(now.luma)), logFloor = std::log(double(floor.luma)), ratio = double(now.luma) / double(floor.luma);
+            n += 1;
+            offU += double(now.u) - ratio * double(floor.u);
+            offV += double(now.v) - ratio * double(floor.v);
+            seen += logNow;
+            seen2 += logNow * logNow;
+            behind += logFloor;
+            behind2 += logFloor * logFloor;
+        }
+    if (n < 16)
+        return Verdict::Shade;
+    const double off = std::max(std::abs(offU), std::abs(offV)) / n, luma = double(w.seen(x, y).luma);
+    const double variance = seen2 / n - seen * seen / (n * n), varianceBehind = behind2 / n - behind * behind / (n * n);
+    const double flat = 0.25 * varianceBehind - variance, textured = varianceBehind * luma * luma / (6.0 * double(w.lumaNoise2(x, y))) - 1;
+    if (std::abs(off - 2.2) < 0.01 || (off < 2.2 && (std::abs(flat) < 1e-4 || (flat > 0 && std::abs(textured) < 0.01))))
+        return Verdict::Unclear;
+    return off > 2.2 ? Verdict::OtherHue : flat > 0 && textured > 0 ? Verdict::Flat : Verdict::Shade;
 }
 
 Frame frameOf(const Painter &painter, double noise)
@@ -124,10 +167,7 @@ private Q_SLOTS:
     /// Half of the floor's light: shadow where the floor's texture shows through, and none where it does not.
     void shadowsShowTheTexture()
     {
-        Painter floor(format, {150, 150, 150});
-        for (int y = 0; y < format.height; y += 8)
-            for (int x = y % 16 == 0 ? 0 : 4; x < format.width; x += 8)
-                floor.rectangle({x - 0.5, y - 0.5}, {x + 3.5, y + 3.5}, {110, 110, 110});
+        const Painter floor = chequeredFloor();
         const Background background = backgroundOf(floor);
         const Eigen::Vector2d low(99.5, 79.5), high(149.5, 119.5);
         for (const bool isShadow : {true, false}) {
@@ -135,7 +175,7 @@ private Q_SLOTS:
             if (isShadow)
                 painter.shade(low, high, 0.6);
             else
-                painter.rectangle(low, high, {90, 90, 90}); // as grey as the floor, but flat
+                painter.rectangle(low, high, {90, 84, 72}); // as brown as the floor, but flat
             const Frame frame = frameOf(painter, 0);
             DifferenceLattice lattice(background);
             lattice.compare(frame, background);
@@ -146,6 +186,44 @@ private Q_SLOTS:
             const double share = double(shade.shade().count()) / (50 * 40);
             QVERIFY2(isShadow ? share > 0.9 : share < 0.2, qPrintable(QStringLiteral("%1 %2").arg(isShadow).arg(share)));
         }
+    }
+
+    /// A shadow, a surface as brown as the floor and two that nearly are, in any light: each pixel is judged by those around it.
+    void eachPatchIsJudged_data() { whatDiffersIsFound_data(); }
+    void eachPatchIsJudged()
+    {
+        QFETCH(double, light);
+        const Painter floor = chequeredFloor();
+        const Background background = backgroundOf(floor);
+        Painter painter = floor;
+        painter.shade({79.5, 59.5}, {119.5, 99.5}, 0.6);
+        painter.rectangle({121.5, 59.5}, {159.5, 99.5}, {90, 84, 72});
+        for (int x = 140; x < 156; x += 8)
+            painter.rectangle({x - 0.5, 59.5}, {x + 3.5, 99.5}, {78, 73, 62}); // about half as much texture as the floor's
+        painter.rectangle({79.5, 103.5}, {119.5, 149.5}, {96, 84, 70});
+        painter.rectangle({119.5, 103.5}, {159.5, 149.5}, {88, 84, 77});
+        painter.light(light);
+        const Frame frame = frameOf(painter, 1);
+        DifferenceLattice lattice(background);
+        lattice.compare(frame, background);
+        ComparedWindow window(background);
+        window.compare(frame, lattice.gain(), windowsAround(lattice.differences(), picture).front().front());
+        FloorShade shade;
+        for (int round = 0; round < 2; ++round) // the second with the memory of the first
+            shade.find(window);
+        std::array<int, 4> count{};
+        QStringList wrong;
+        window.darkened().forEach([&](int x, int y) {
+            const Verdict verdict = verdictOf(window, x, y);
+            ++count[std::size_t(verdict)];
+            if (verdict != Verdict::Unclear && (shade.shade().at(x, y) != (verdict == Verdict::Shade) || shade.byHue().at(x, y) != (verdict == Verdict::OtherHue)))
+                wrong.append(QStringLiteral("(%1, %2) is %3").arg(x).arg(y).arg(int(verdict)));
+        });
+        QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("%1: %2").arg(wrong.size()).arg(wrong.mid(0, 5).join(QLatin1Char(' ')))));
+        for (const Verdict verdict : {Verdict::Shade, Verdict::OtherHue, Verdict::Flat})
+            QVERIFY2(count[std::size_t(verdict)] > 300, qPrintable(QStringLiteral("%1: %2").arg(int(verdict)).arg(count[std::size_t(verdict)])));
+        QVERIFY2(count[std::size_t(Verdict::Unclear)] < 200, qPrintable(QString::number(count[std::size_t(Verdict::Unclear)])));
+        QVERIFY((shade.shade() - window.darkened()).isEmpty() && (shade.byHue() - window.darkened()).isEmpty());
     }
 };
 
