@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/analyser.h"
 
+#include "core/base/upper_median.h"
 #include "core/trajectory/coloured_part.h"
+#include "core/trajectory/contradiction.h"
 #include "core/trajectory/floor_positions.h"
 #include "core/trajectory/free_height.h"
 #include "core/trajectory/fused_track.h"
@@ -252,6 +254,38 @@ struct MeasuredRobot
     std::optional<double> clearanceM;
 };
 
+void flagContradictions(FusedTrack &track, const std::vector<bool> &isContradicted)
+{
+    for (std::size_t i = 0; i < isContradicted.size(); ++i) {
+        if (!isContradicted[i] || !track.samples[i].viewDisagreementM)
+            continue;
+        track.evidence[i].isContradicted = true;
+        track.samples[i].flags |= flagBit(SampleFlag::ViewsDisagree);
+    }
+}
+
+/// Where hardly a sample is left because the views contradict one another, that is why.
+Result<void> checkAgreement(const std::vector<Sample> &samples)
+{
+    constexpr double leastUsed = 0.1; // of those that several views saw
+    std::size_t seen = 0, used = 0;
+    std::vector<double> apartM;
+    for (const Sample &sample : samples) {
+        if (!sample.viewDisagreementM)
+            continue;
+        ++seen;
+        used += isUsed(sample);
+        if (hasFlag(sample.flags, SampleFlag::ViewsDisagree))
+            apartM.push_back(*sample.viewDisagreementM);
+    }
+    if (2 * apartM.size() < seen || double(used) >= leastUsed * double(seen) || apartM.empty())
+        return {};
+    return fail(ErrorCode::Undetermined, cannotMeasurePath,
+                "the views put it " + formatNumber(1000 * upperMedian(std::move(apartM)), 0) +
+                    " mm apart: a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else",
+                "look at the outlines, and register the cameras again");
+}
+
 Result<MeasuredRobot> measure(const std::vector<ViewTrack> &views, const RobotShape &shape,
                               const AnalysisOptions &options)
 {
@@ -261,14 +295,16 @@ Result<MeasuredRobot> measure(const std::vector<ViewTrack> &views, const RobotSh
         times.push_back(timeOf(views.front(), observation));
         frames.push_back(observation.frame);
     }
-    const auto placed = place(views, times, shape);
+    auto placed = place(views, times, shape);
     if (!placed)
         return tl::unexpected(placed.error());
     FusionSettings settings;
     settings.planeSigmaM = placed->planeSigmaM;
     settings.measurement = estimateOutlineNoise(placed->views);
+    const std::vector<bool> isContradicted = shape.heightVaries ? std::vector<bool>() : widenByContradiction(placed->views);
     MeasuredRobot robot{fuseViews(times, frames, placed->views, settings), settings.measurement, placed->heightM,
                         placed->estimated, placed->clearanceM};
+    flagContradictions(robot.track, isContradicted);
     chooseByMotion(robot.track, settings, options.longestBridgedGap);
     alignSingleViews(robot.track, placed->views, views);
     applyOverrules(robot.track.samples, options.overrules);
@@ -285,6 +321,8 @@ Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &s
     auto robot = measure(views, shape, options);
     if (!robot)
         return tl::unexpected(robot.error());
+    if (const auto agreed = checkAgreement(robot->track.samples); !agreed)
+        return tl::unexpected(agreed.error());
     auto profile = profileOfTrack(std::move(robot->track), options, robot->noise);
     if (!profile)
         return profile;

@@ -17,6 +17,7 @@ struct SampleEvidence
     double bestScore = 0; ///< of the views that found the robot
     bool cut = false;     ///< every view that found it has it at the picture's edge
     bool partlySeen = false; ///< in no view is its outline what it usually is: something hides a part of it, or touches it in the picture
+    bool isContradicted = false; ///< the views contradict one another here as they do near by, and their covariances hold it (core/trajectory/contradiction.h)
 };
 
 /// The samples of one robot before spikes are looked for; samples and evidence have equal length.

@@ -19,7 +19,7 @@ enum class SampleFlag : std::uint32_t {
     SpeedLimit = 1u << 1,        ///< faster than the task's or robot's limit
     AccelerationLimit = 1u << 2, ///< harder than the limit
     ViewsDisagree = 1u << 3,  ///< the views put it at different places. Alone: those at fault were left out,
-                              ///< the rest is used; with Jump: none could be trusted
+                              ///< the rest is used, or all are, with a covariance that holds what they are apart; with Jump: none could be trusted
     LowScore = 1u << 4,       ///< the tracker was not sure
     Lost = 1u << 5,           ///< no view found the robot
     DuplicateFrame = 1u << 6, ///< the camera repeated a picture

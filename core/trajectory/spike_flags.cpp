@@ -285,10 +285,11 @@ std::vector<Spike> describeSpikes(const FusedTrack &track, const std::vector<Pro
     for (std::size_t i = 0; i < track.samples.size(); ++i) {
         const Sample &sample = track.samples[i];
         const SampleFlags against = sample.flags & spikeFlags;
-        if (against == 0 || (against == flagBit(SampleFlag::LowScore) && track.evidence[i].partlySeen))
+        const SampleEvidence &evidence = track.evidence[i];
+        if (against == 0 || (against == flagBit(SampleFlag::LowScore) && evidence.partlySeen) || (against == flagBit(SampleFlag::ViewsDisagree) && evidence.isContradicted))
             continue;
         spikes.push_back({static_cast<std::int64_t>(i), sample.time, sample.flags,
-                          reasonOf(sample, track.evidence[i], points[i], standsOut[i])});
+                          reasonOf(sample, evidence, points[i], standsOut[i])});
     }
     return spikes;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/track_warnings.h"
 
+#include "core/base/upper_median.h"
+#include "core/trajectory/contradiction.h"
 #include "core/trajectory/unseen_stretches.h"
 
 #include <algorithm>
@@ -30,19 +32,26 @@ double partFound(const std::vector<TrackedView> &tracked, std::size_t robot)
     return frames > 0 ? double(found) / double(frames) : 0;
 }
 
-/// Empty where the views see the same thing, but for some moments.
+/// Empty where the views agree, but for some moments.
 std::string apartSentence(const Profile &profile)
 {
-    static constexpr double farApartM = 0.2, mostApart = 0.1; // of what several views saw
-    const auto seen = std::ranges::count_if(profile.samples, [](const Sample &sample) { return sample.viewDisagreementM.has_value(); });
-    const auto apart = std::ranges::count_if(profile.samples, [](const Sample &sample) {
-        return hasFlag(sample.flags, SampleFlag::ViewsDisagree) && sample.viewDisagreementM.value_or(0) > farApartM;
-    });
-    if (double(apart) <= mostApart * double(seen))
+    static constexpr double mostApart = 0.1; // of what several views saw
+    std::size_t seen = 0;
+    std::vector<double> apartM;
+    for (const Sample &sample : profile.samples) {
+        seen += sample.viewDisagreementM.has_value();
+        if (sample.viewDisagreementM && hasFlag(sample.flags, SampleFlag::ViewsDisagree))
+            apartM.push_back(*sample.viewDisagreementM);
+    }
+    if (double(apartM.size()) <= mostApart * double(seen))
         return {};
-    return "in " + std::to_string(apart) + " of " + std::to_string(seen) +
-           " pictures the views have it at places far apart: one of them follows something else, or is not where it was registered; look at the outlines, and tell the robot's colour or "
-           "keep others out of the pictures";
+    const std::string where = "in " + std::to_string(apartM.size()) + " of " + std::to_string(seen) + " pictures the views ";
+    const double medianM = upperMedian(std::move(apartM));
+    if (medianM > farApartM)
+        return where + "have it at places far apart: one of them follows something else, or is not where it was registered; look at the outlines, and tell the robot's colour or "
+                       "keep others out of the pictures";
+    return where + "contradict one another: they put it " + formatNumber(1000 * medianM, 1) +
+           " mm apart; a camera was moved after it was registered, the views are out of step, or the robot's height is not what was told; register the cameras again";
 }
 
 } // namespace
