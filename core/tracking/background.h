@@ -22,9 +22,12 @@ struct Background
         const std::uint8_t *sigmaRow(int y) const { return sigmas.data() + std::ptrdiff_t(y) * width; }
     };
     static constexpr float sigmaUnit = 0.125F, leastSigma = 1; ///< code values
+    static constexpr float usualDarkestShadow = 0.40F;
 
     FrameFormat format;
     Plane y, u, v;
+    /// The least share of its luma above black that the floor keeps in a shadow. Lamps, sun and walls decide it; one view of the empty place does not show it.
+    float darkestShadow = usualDarkestShadow;
 };
 
 /// Learns a background from the frames of one view, given in any number and in order: it keeps a few of them, spread over what

@@ -13,7 +13,7 @@ namespace odo {
 namespace {
 
 constexpr float plainSteps = 6;                    // of the least step: half of black on grey
-constexpr float darkest = 0.40F, lightest = 0.99F; // of the floor in shadow against the floor in light
+constexpr float lightest = 0.99F;                  // of the floor in shadow against the floor in light
 constexpr float darkestFloor = 12;                 // code values above black: on a darker one a shadow is not seen
 
 // Fixed-point numbers of 16 bits, of which compilers do eight at once. Luma is in units of 1 / lumaUnit, shares of the noise of 1 / shareUnit.
@@ -127,8 +127,9 @@ void ComparedRow::markDifferences(std::uint8_t *__restrict differs, std::uint8_t
 
 void ComparedRow::markDarkened(int first, int last, std::uint8_t *__restrict darkened) const
 {
-    constexpr auto leastFloor = Fixed(darkestFloor * lumaUnit), leastShare = Fixed(darkest * halfUnit), mostLight = Fixed(lightest * halfUnit);
+    constexpr auto leastFloor = Fixed(darkestFloor * lumaUnit), mostLight = Fixed(lightest * halfUnit);
     constexpr auto tolerance = Fixed(1.5F * chromaUnit), ofHue = Fixed(0.1F * 2 * halfUnit), mostNoise = Fixed(3 * shareUnit);
+    const auto leastShare = Fixed(std::lround(darkestShadow * halfUnit));
     const LumaPair lumas(*this);
     const ChromaPair us{u, uBehind}, vs{v, vBehind};
     const Fixed *perChroma = chromaInverse;

@@ -14,6 +14,7 @@ struct ComparedRow
 
     int width = 0; ///< at least leastWidth
     LightGain gain;
+    float darkestShadow = 0; ///< of the floor's light that a shadow leaves
     const std::uint8_t *now = nullptr, *behind = nullptr;      ///< luma as coded, the background's in its own light
     const std::int16_t *u = nullptr, *v = nullptr;             ///< chroma about neutral in units of 1 / ChromaEnlarger::unit
     const std::int16_t *uBehind = nullptr, *vBehind = nullptr; ///< of the background in the frame's light

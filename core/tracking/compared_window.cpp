@@ -99,7 +99,7 @@ void ComparedWindow::compareRow(const DifferenceWindow &part, int y, ChromaEnlar
         return row;
     };
     readChromaInverse(x0, width, pictureY);
-    const ComparedRow row{width, m_gain, m_frame->y.row(pictureY) + x0, m_background.y.row(pictureY) + x0, enlarge(m_uSamples, m_uPart), enlarge(m_vSamples, m_vPart),
+    const ComparedRow row{width, m_gain, m_background.darkestShadow, m_frame->y.row(pictureY) + x0, m_background.y.row(pictureY) + x0, enlarge(m_uSamples, m_uPart), enlarge(m_vSamples, m_vPart),
                           enlarge(m_uBehindSamples, m_uBehindPart), enlarge(m_vBehindSamples, m_vBehindPart), m_noise.lumaRow(pictureY) + x0, m_chromaInverse.data()};
     row.markDifferences(m_marks.data(), m_plainMarks.data());
     m_differs.setRow(y, m_marks.data() + band.safeBegin - band.begin, band.safeBegin, band.safeEnd);

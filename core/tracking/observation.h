@@ -35,6 +35,8 @@ struct Observation
     Eigen::Vector2d meanChroma = Eigen::Vector2d::Zero();
     /// Something thin that reaches out of it was left out: a cable, a mast. Not stored either.
     bool isTrimmed = false;
+    /// Share of its pixels that would be floor in shadow if shadows were darker than was assumed (Background::darkestShadow). Not stored.
+    float deepShare = 0;
     /// How far the outline's convex hull reaches from the centre in each direction of the picture (core/geometry/support.h), px; empty where
     /// only its ellipse was measured.
     std::vector<float> supportPx = {};

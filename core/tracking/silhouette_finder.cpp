@@ -112,6 +112,25 @@ BitMask cutAppendages(BitMask &region)
     return cut;
 }
 
+/// The share of a region's pixels that have the floor's hue, and are darker than a shadow is assumed to be, but not black: of a few of them.
+float deepShareOf(const ComparedWindow &w, float darkestShadow, const BitMask &region, const PixelRect &part)
+{
+    constexpr int step = 4; // pixels
+    constexpr float deepest = 0.15F, hueTolerance = 3; // code values
+    int pixels = 0, deep = 0;
+    for (int y = 0; y < region.height(); y += step) {
+        for (int x = 0; x < region.width(); x += step) {
+            if (!region.at(x, y))
+                continue;
+            const PixelColour seen = w.seen(part.x0 + x, part.y0 + y), behind = w.behind(part.x0 + x, part.y0 + y);
+            const float left = seen.luma / std::max(1.0F, behind.luma), off = std::max(std::abs(seen.u - left * behind.u), std::abs(seen.v - left * behind.v));
+            ++pixels;
+            deep += left > deepest && left < darkestShadow && off < hueTolerance;
+        }
+    }
+    return float(deep) / float(std::max(1, pixels));
+}
+
 } // namespace
 
 struct SilhouetteFinder::Impl
@@ -212,6 +231,7 @@ bool SilhouetteFinder::Impl::measure(BitMask region, const PixelRect &part, cons
     if (silhouette.moments.areaPx2 < leastFragmentPx)
         return false;
     silhouette.meanChroma = edge.meanChroma();
+    silhouette.deepShare = deepShareOf(window, background.darkestShadow, region, part);
     silhouette.clearShare = double((clear.cropped(part) & region).count()) / double(region.count());
     const int right = background.y.width - 2, bottom = background.y.height - 2;
     silhouette.touchesBorder = silhouette.box.x0 < 2 || silhouette.box.y0 < 2 || silhouette.box.x1 > right || silhouette.box.y1 > bottom;

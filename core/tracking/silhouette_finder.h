@@ -22,6 +22,7 @@ struct SeenSilhouette
     Chroma meanChroma = Chroma::Zero();
     int shadowPiece = 0; ///< what differs in one piece, shadows and all, has one number
     double clearShare = 1;      ///< of its pixels: that cannot be a shadow on the floor
+    float deepShare = 0;        ///< as of Observation
     bool isTrimmed = false;     ///< something thin that reaches out of it was left out: a cable
     bool touchesBorder = false; ///< cut by the picture's edge
 };

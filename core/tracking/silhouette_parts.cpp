@@ -107,10 +107,12 @@ SeenSilhouette joined(const std::vector<SeenSilhouette> &seen, const std::vector
         whole.isTrimmed |= one.isTrimmed;
         whole.meanChroma += one.moments.areaPx2 * one.meanChroma;
         whole.clearShare += one.moments.areaPx2 * one.clearShare;
+        whole.deepShare += float(one.moments.areaPx2) * one.deepShare;
         area += one.moments.areaPx2;
     }
     whole.meanChroma /= area;
     whole.clearShare /= area;
+    whole.deepShare /= float(area);
     measureHull(whole, std::move(points));
     return whole;
 }

@@ -69,18 +69,24 @@ bool haveSupport(const std::vector<ViewTrack> &views)
 }
 
 /// What a box leaves unexplained, a solid of several levels may explain.
-std::optional<FoundSolid> findSolidOfLevels(const std::vector<ViewTrack> &views, const RobotShape &told, const PlacedSolid &box)
+std::optional<LevelFit> bestLevels(const std::vector<CommonOutlines> &times, const std::vector<ViewTrack> &views, const RobotShape &told, const PlacedSolid &box)
 {
     // A body that is nearly square does not tell its axis, but mostly moves along it.
     const Axes directed = directedAxes(views, box.solid.seen, box.axes), moved = directionsOfMotion(views, box.solid.seen, box.axes);
     const std::pair<const Axes *, LevelStart> starts[] = {{&directed, {taper, 0}}, {&moved, {taper, topShift}}, {&moved, {taper, -topShift}}};
-    const std::vector<CommonOutlines> times = levelTimes(views);
     std::optional<LevelFit> best;
     for (const auto &[directions, start] : starts) {
         auto fit = fitLevels(times, views, *directions, box.solid.seen, box.solid.shape, told, start);
         if (fit && (!best || fit->misfit < best->misfit))
             best = std::move(fit);
     }
+    return best;
+}
+
+std::optional<FoundSolid> findSolidOfLevels(const std::vector<ViewTrack> &views, const RobotShape &told, const PlacedSolid &box)
+{
+    const std::vector<CommonOutlines> times = levelTimes(views);
+    const std::optional<LevelFit> best = bestLevels(times, views, told, box);
     const auto learned = best && best->misfit < worstLevelMisfit ? learnReach(times, *best, told) : std::nullopt;
     if (!learned)
         return std::nullopt;
@@ -92,6 +98,15 @@ std::optional<FoundSolid> findSolidOfLevels(const std::vector<ViewTrack> &views,
 }
 
 } // namespace
+
+std::optional<double> misfitOfOutlines(const std::vector<ViewTrack> &views, const RobotShape &told)
+{
+    if (!haveSupport(views) || !areMostlyWhole(views))
+        return std::nullopt;
+    const auto guess = estimateShape(views, {});
+    const auto levels = guess ? bestLevels(levelTimes(views), views, told, placedSolid(views, *guess)) : std::nullopt;
+    return levels ? std::optional(levels->misfit) : std::nullopt;
+}
 
 double explainedShare(const std::vector<ViewTrack> &views, const RobotShape &told)
 {

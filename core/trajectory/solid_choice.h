@@ -22,6 +22,10 @@ struct FoundSolid
 /// (fitLevels), with what they tell beyond that (learnReach). nullopt: none explains them. Pure.
 std::optional<FoundSolid> findSolid(const std::vector<ViewTrack> &views, const RobotShape &told);
 
+/// How badly the best solid of several levels explains the outlines of all views, in units of half a pixel; nullopt: they were not measured by their support, or too few of
+/// them show all of a robot. Pure.
+std::optional<double> misfitOfOutlines(const std::vector<ViewTrack> &views, const RobotShape &told);
+
 /// The share of the outlines, but for those that the picture's edge cuts, that are the solid's; 0 where no solid was found, 1 for a mark on top of a robot of a told height.
 double explainedShare(const std::vector<ViewTrack> &views, const RobotShape &told);
 

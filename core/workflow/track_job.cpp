@@ -9,6 +9,7 @@
 #include "core/workflow/pointed_out.h"
 #include "core/workflow/registered_view.h"
 #include "core/workflow/robot_names.h"
+#include "core/workflow/shadow_choice.h"
 #include "core/workflow/task_analysis.h"
 #include "core/workflow/track_warnings.h"
 #include "core/workflow/view_tracking.h"
@@ -155,25 +156,19 @@ Result<void> TrackJob::run(const JobControl &control)
 {
     Impl &d = *m_impl;
     const auto started = std::chrono::steady_clock::now();
-    auto tracked = d.settings.again ? Result<std::vector<TrackedView>>(std::move(d.stored))
-                                    : trackViews(d.views, d.robots, control);
+    auto tracked = d.settings.again ? Result<SettledViews>(SettledViews{std::move(d.stored), {}}) // what is stored is settled
+                                    : trackAndSettle(d.views, d.robots, control, d.pointedOut);
     if (!tracked)
         return tl::unexpected(tracked.error());
-
-    if (!d.settings.again) { // what is stored is settled
-        control.report(0.96, "settling which robot is which");
-        const auto doubts = settleNames(d.views, d.robots, *tracked, d.pointedOut);
-        if (!doubts)
-            return tl::unexpected(doubts.error());
-        d.doubts = doubtfulNamesOf(*doubts, d.robots);
-    }
+    if (!d.settings.again)
+        d.doubts = doubtfulNamesOf(tracked->doubts, d.robots);
     d.outcome.warnings = stepWarnings(d.trialName, d.views);
     control.report(0.97, "analysing");
-    if (auto analysed = d.analyseAll(*tracked); !analysed)
+    if (auto analysed = d.analyseAll(tracked->views); !analysed)
         return analysed;
 
     std::int64_t pictures = 0;
-    for (TrackedView &view : *tracked) {
+    for (TrackedView &view : tracked->views) {
         d.outcome.decodeS += toSeconds(view.decodeCpuTime);
         pictures += view.frames;
         if (d.settings.again)

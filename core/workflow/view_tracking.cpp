@@ -59,26 +59,25 @@ std::vector<TrackTarget> targetsOf(const std::vector<RobotRecord> &robots)
     return targets;
 }
 
-/// None without a robot.
+/// None without a robot. background: learned where it is needed and not known.
 Result<std::unique_ptr<RobotTracker>> trackerFor(const RegisteredView &view, const std::vector<TrackTarget> &targets, const JobControl &control,
-                                                 SharedProgress &progress)
+                                                 SharedProgress &progress, std::optional<Background> &background)
 {
     if (targets.empty())
         return nullptr;
-    std::optional<Background> background;
-    if (needsBackground(targets)) {
+    if (needsBackground(targets) && !background) {
         auto learned = learnBackground(view, control.cancel, [&progress] { progress.countPicture(); });
         if (!learned)
             return tl::unexpected(learned.error());
         background = std::move(*learned);
     }
-    return RobotTracker::create(targets, std::move(background), view.floorView, othersFollowed);
+    return RobotTracker::create(targets, background, view.floorView, othersFollowed);
 }
 
 Result<TrackedView> trackView(const RegisteredView &view, const std::vector<RobotRecord> &robots, const std::vector<TrackTarget> &targets,
-                              const JobControl &control, SharedProgress &progress, WithLight light)
+                              const JobControl &control, SharedProgress &progress, WithLight light, std::optional<Background> background)
 {
-    const auto tracker = trackerFor(view, targets, control, progress);
+    const auto tracker = trackerFor(view, targets, control, progress, background);
     if (!tracker)
         return tl::unexpected(tracker.error());
     auto reader = VideoReader::open(view.file, control.cancel);
@@ -90,6 +89,7 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
     FrameStream stream(std::move(*reader), byRegion ? 0 : framesAhead);
 
     TrackedView tracked;
+    tracked.background = std::move(background);
     LightMeter lightMeter;
     for (std::size_t r = 0; r < robots.size(); ++r)
         tracked.series.push_back({view.recording.id, robots[r].id, needsBackground({targets[r]}) ? silhouetteVersion : colourVersion, {}});
@@ -135,20 +135,24 @@ struct JobPart
 {
     double from = 0, to = 0;
 };
-constexpr JobPart firstPass{0, 0.6}, secondPass{0.6, 0.95};
+constexpr JobPart firstPass{0, 0.6}, secondPass{0.6, 0.95}, onlyPass{0, 1};
 
 Result<std::vector<TrackedView>> trackTargets(const std::vector<RegisteredView> &views, const std::vector<RobotRecord> &robots,
-                                              const std::vector<TrackTarget> &targets, const JobControl &control, const JobPart &part, WithLight light)
+                                              const std::vector<TrackTarget> &targets, const JobControl &control, const JobPart &part, WithLight light,
+                                              std::vector<std::optional<Background>> backgrounds = {})
 {
+    backgrounds.resize(views.size());
     std::int64_t total = 0;
     for (const RegisteredView &view : views)
         total += static_cast<std::int64_t>(view.recording.frameTimes.size());
-    if (needsBackground(targets)) // for which everything is read twice
+    if (needsBackground(targets) && std::ranges::any_of(backgrounds, [](const auto &known) { return !known; })) // for which everything is read twice
         total *= 2;
     SharedProgress progress(control, total, part.from, part.to);
 
     std::vector<Result<TrackedView>> results(views.size(), TrackedView{});
-    sideBySide(views.size(), [&](std::size_t v) { results[v] = trackView(views[v], robots, targets, control, progress, light); });
+    sideBySide(views.size(), [&](std::size_t v) {
+        results[v] = trackView(views[v], robots, targets, control, progress, light, std::move(backgrounds[v]));
+    });
 
     std::vector<TrackedView> tracked;
     for (auto &result : results) {
@@ -157,6 +161,14 @@ Result<std::vector<TrackedView>> trackTargets(const std::vector<RegisteredView> 
         tracked.push_back(std::move(*result));
     }
     return tracked;
+}
+
+/// Whether a robot was measured by its silhouette, not by its colour.
+bool isBySilhouette(const std::vector<TrackedView> &tracked, std::size_t robot)
+{
+    return std::ranges::any_of(tracked, [robot](const TrackedView &view) {
+        return std::ranges::any_of(view.series[robot].observations, [](const Observation &one) { return !one.supportPx.empty(); });
+    });
 }
 
 double explainedShareOf(const std::vector<RegisteredView> &views, std::vector<TrackedView> &tracked, const RobotRecord &robot, std::size_t number)
@@ -193,6 +205,8 @@ Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &v
     auto whole = trackTargets(views, robots, targets, control, secondPass, WithLight::Ignored);
     if (!whole)
         return whole;
+    for (std::size_t v = 0; v < views.size(); ++v)
+        (*tracked)[v].background = std::move((*whole)[v].background);
     for (const auto &[r, share] : partly) {
         // Where a board hides the robot for a while neither is explained, and its whole outline is hidden more often.
         const double explained = explainedShareOf(views, *whole, robots[r], r);
@@ -202,6 +216,28 @@ Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &v
             (*tracked)[v].series[r] = std::move((*whole)[v].series[r]);
     }
     return tracked;
+}
+
+Result<std::vector<TrackedView>> trackAgain(const std::vector<RegisteredView> &views, const std::vector<RobotRecord> &robots, const std::vector<TrackedView> &before,
+                                            float darkestShadow, const JobControl &control)
+{
+    std::vector<TrackTarget> targets = targetsOf(robots);
+    for (std::size_t r = 0; r < robots.size(); ++r)
+        targets[r].wholeOutline = isBySilhouette(before, r);
+    std::vector<std::optional<Background>> backgrounds;
+    for (const TrackedView &view : before) {
+        backgrounds.push_back(view.background);
+        if (backgrounds.back())
+            backgrounds.back()->darkestShadow = darkestShadow;
+    }
+    auto again = trackTargets(views, robots, targets, control, onlyPass, WithLight::Ignored, std::move(backgrounds));
+    for (std::size_t v = 0; again && v < views.size(); ++v) {
+        (*again)[v].light = before[v].light;
+        for (std::size_t r = 0; r < robots.size(); ++r)
+            if (isFoundByColour(targets[r]) && !targets[r].wholeOutline)
+                (*again)[v].series[r] = before[v].series[r];
+    }
+    return again;
 }
 
 bool isEverSeen(const std::vector<RegisteredView> &views, const std::vector<TrackedView> &tracked, std::size_t robot)

@@ -3,6 +3,7 @@
 
 #include "core/base/job_control.h"
 #include "core/project/records.h"
+#include "core/tracking/background.h"
 #include "core/tracking/light_meter.h"
 #include "core/workflow/registered_view.h"
 
@@ -22,6 +23,7 @@ struct TrackedView
     /// Of each robot: the part of the first picture that has its told colour. Empty where nothing was decoded.
     std::vector<double> sharesAlike;
     std::vector<LightLevel> light; ///< of every frame, where it was asked for
+    std::optional<Background> background; ///< by which robots were found, where one was needed
 };
 
 enum class WithLight { Ignored, Measured };
@@ -34,6 +36,11 @@ enum class WithLight { Ignored, Measured };
 Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &views,
                                             const std::vector<RobotRecord> &robots, const JobControl &control,
                                             WithLight light = WithLight::Ignored);
+
+/// Tracks once more what trackViews measured by its silhouette, before the same backgrounds, as if a shadow left the floor no less than this share of its luma. All other series
+/// stay as they are.
+Result<std::vector<TrackedView>> trackAgain(const std::vector<RegisteredView> &views, const std::vector<RobotRecord> &robots, const std::vector<TrackedView> &before,
+                                            float darkestShadow, const JobControl &control);
 
 /// Whether any registered view found a robot, by its number, in any frame.
 bool isEverSeen(const std::vector<RegisteredView> &views, const std::vector<TrackedView> &tracked, std::size_t robot);

@@ -86,6 +86,32 @@ private Q_SLOTS:
         QVERIFY2(mostArea < (hasShadow ? 0.05 : 0.03), qPrintable(QString::number(mostArea)));
     }
 
+    /// A flat floor that keeps a third of its light beside the robot: it is the background that says whether that may be shadow.
+    void howDarkShadowsAreIsTold()
+    {
+        Painter floor(format);
+        floor.rectangle({-1, -1}, {format.width + 1.0, format.height + 1.0}, {150, 146, 138});
+        Background background = learned(floor);
+        std::mt19937 random(23);
+        const auto seenWith = [&](float darkest, double light, RgbColour colour) {
+            background.darkestShadow = darkest;
+            Painter picture = floor;
+            picture.shade({low.x() - 20, low.y() + 4}, {low.x() + 4, high.y()}, light);
+            const auto seen = SilhouetteFinder(background).find(filmed(picture, colour, false, random));
+            return seen.empty() ? SeenSilhouette() : seen.front();
+        };
+        const RgbColour red{200, 40, 40};
+        const auto leftEnd = [](const SeenSilhouette &seen) { return seen.moments.centrePx.x() - double(seen.supportPx.at(supportDirections / 2)); };
+        const SeenSilhouette grown = seenWith(Background::usualDarkestShadow, 0.33, red), alone = seenWith(0.2F, 0.33, red), light = seenWith(Background::usualDarkestShadow, 0.6, red);
+        QVERIFY2(leftEnd(grown) < low.x() - 18, qPrintable(QString::number(leftEnd(grown))));
+        QVERIFY2(grown.deepShare > 0.15F, qPrintable(QString::number(grown.deepShare))); // 20 × 32 of 2368 pixels: 0.27
+        // Its edge is told from the robot's to a pixel and a half, as that of a light one.
+        for (const SeenSilhouette &seen : {alone, light}) {
+            QVERIFY2(std::abs(leftEnd(seen) - low.x()) < 1.5, qPrintable(QString::number(leftEnd(seen))));
+            QVERIFY2(seen.deepShare < 0.03F, qPrintable(QString::number(seen.deepShare)));
+        }
+    }
+
     /// A wheel of two pixels, of which a side as grey as the floor parts the body.
     void aNarrowPartStaysInTheOutline_data()
     {

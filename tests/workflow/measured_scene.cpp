@@ -3,6 +3,7 @@
 
 #include "core/simulation/renderer.h"
 #include "core/video/video_reader.h"
+#include "core/workflow/shadow_choice.h"
 
 #include <QTemporaryDir>
 #include <cmath>
@@ -73,10 +74,10 @@ Result<SceneFigures> measuredScene(const SimulatedScene &scene, const std::optio
     RobotRecord robot;
     robot.name = scene.robots.front().name;
     robot.colour = colour;
-    auto tracked = trackViews(*views, {robot}, {});
+    auto tracked = trackAndSettle(*views, {robot}, {});
     if (!tracked)
         return tl::unexpected(tracked.error());
-    const auto profile = analyse(takeViewTracks(*views, *tracked, 0), shapeOf(robot), {});
+    const auto profile = analyse(takeViewTracks(*views, tracked->views, 0), shapeOf(robot), {});
     if (!profile)
         return tl::unexpected(profile.error());
     return compared(*profile, scene);

@@ -12,7 +12,7 @@ namespace {
 using S = SimulatedShape;
 using Parts = std::vector<RobotPart>;
 
-constexpr RgbColour black{28, 28, 30}, white{238, 238, 235}, grey{120, 120, 122}, asFloor{182, 177, 166}, paintRed{200, 35, 40}, yellow{215, 190, 40}, deepGreen{50, 140, 60},
+constexpr RgbColour black{28, 28, 30}, white{238, 238, 235}, grey{120, 120, 122}, darkGrey{62, 62, 64}, asFloor{182, 177, 166}, paintRed{200, 35, 40}, yellow{215, 190, 40}, deepGreen{50, 140, 60},
     deepBlue{30, 60, 150}, board{20, 90, 60}, skin{205, 160, 135};
 
 /// A body with four black wheels.
@@ -79,6 +79,7 @@ Parts partsOf(Look look)
     case Look::Rover: return rover();
     case Look::WhiteRover: return chassis(white);
     case Look::GreyRover: return chassis(grey);
+    case Look::DarkRover: return chassis(darkGrey);
     case Look::SmallBlack: return onWheels({{S::Box, black, {0, 0, 0.03}, {0.12, 0.08, 0.03}}}, 0.04, 0.05, 0.02, 0.02);
     case Look::Tracked: return tracked();
     case Look::Cable: return withCable();

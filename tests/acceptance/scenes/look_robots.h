@@ -19,6 +19,7 @@ enum class Look {
     Rover,       ///< four black wheels, red, with a deck and a mast
     WhiteRover,  ///< four black wheels, white
     GreyRover,   ///< four black wheels, grey
+    DarkRover,   ///< four black wheels, dark grey
     SmallBlack,  ///< four black wheels, 120 × 80 mm, black
     Tracked,     ///< green between two black tracks
     Cable,       ///< a white rover with a cable behind, which is no part of its footprint

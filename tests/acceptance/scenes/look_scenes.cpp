@@ -119,6 +119,33 @@ AccuracyScene greyPlainFloor(SeededDraw &draw)
     setLamp(scene, draw, 0.4);
     return scene;
 }
+AccuracyScene onPlainFloor(SeededDraw &draw, Look look, double strength)
+{
+    AccuracyScene scene = withLook(draw, look);
+    scene.scene.floor.textureAmplitude = 0.01;
+    setLamp(scene, draw, strength);
+    return scene;
+}
+AccuracyScene darkPlainFloor(SeededDraw &draw)
+{
+    return onPlainFloor(draw, Look::DarkRover, 0.4);
+}
+AccuracyScene greyDeepShadow(SeededDraw &draw)
+{
+    return onPlainFloor(draw, Look::GreyRover, 0.68);
+}
+AccuracyScene whiteDeepShadow(SeededDraw &draw)
+{
+    return onPlainFloor(draw, Look::WhiteRover, 0.68);
+}
+AccuracyScene blackDeepShadow(SeededDraw &draw)
+{
+    return onPlainFloor(draw, Look::SmallBlack, 0.68);
+}
+AccuracyScene darkDeepShadow(SeededDraw &draw)
+{
+    return onPlainFloor(draw, Look::DarkRover, 0.68);
+}
 AccuracyScene glossyFloor(SeededDraw &draw)
 {
     AccuracyScene scene = withLook(draw, Look::WhiteRover);
@@ -278,6 +305,11 @@ const std::vector<std::pair<std::string, AccuracyScene (*)(SeededDraw &)>> &look
         {"look-like-the-floor", likeTheFloor},
         {"look-grey", greyLamp},
         {"look-grey-plain-floor", greyPlainFloor},
+        {"look-dark-plain-floor", darkPlainFloor},
+        {"look-grey-deep-shadow", greyDeepShadow},
+        {"look-white-deep-shadow", whiteDeepShadow},
+        {"look-black-deep-shadow", blackDeepShadow},
+        {"look-dark-deep-shadow", darkDeepShadow},
         {"look-glossy-floor", glossyFloor},
         {"look-dark-tiles", darkTiles},
         {"look-light-drifts", lightDrifts},

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/demo_testbed.h"
+#include "core/simulation/wheeled_body.h"
+#include "core/workflow/shadow_choice.h"
+#include "tests/workflow/measured_scene.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace odo;
+using namespace odo::test;
+
+namespace {
+
+/// A chassis on four black wheels on a plain floor, by a lamp that gives a share of the light.
+SimulatedScene plainFloor(RgbColour chassis, double lamp)
+{
+    SimulatedScene scene = demoTestbed(47);
+    scene.durationS = 4;
+    scene.floor.textureAmplitude = 0.01;
+    scene.lamps = {Lamp{{0.4, 0.2, 2.4}, 0.12, lamp}};
+    std::vector<RobotPart> parts{{SimulatedShape::Box, chassis, {0, 0, 0.05}, {0.22, 0.14, 0.05}}};
+    scene.robots = {robotOfParts("robot", onFourWheels(std::move(parts), {28, 28, 30}, 0.07, 0.085, 0.03, 0.028), makeCircleMotion({1.5, 1.1}, 0.7, 0.7, 0.6))};
+    return scene;
+}
+
+double meanAreaPx(const std::vector<TrackedView> &tracked)
+{
+    double area = 0, count = 0;
+    for (const TrackedView &view : tracked) {
+        for (const Observation &one : view.series.front().observations) {
+            area += one.found ? one.areaPx : 0;
+            count += one.found;
+        }
+    }
+    return area / std::max(1.0, count);
+}
+
+} // namespace
+
+class TestShadowChoice : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    /// Of the floor's light a shadow leaves a third, and less at the robot's foot.
+    void aDeepShadowIsNoPartOfTheRobot()
+    {
+        const auto figures = measuredScene(plainFloor({238, 238, 235}, 0.68));
+        QVERIFY2(figures.has_value(), figures ? "" : figures.error().message().c_str());
+        // With the shadow as a part of it 13 mm, and the truth inside in a fifth of the frames.
+        QVERIFY2(figures->foundShare > 0.99 && figures->rmsM < 0.003 && figures->insideShare > 0.9, qPrintable(figures->words()));
+    }
+
+    /// A dark robot on the same floor looks like such a shadow in each frame.
+    void aDarkRobotStaysWhole()
+    {
+        const QTemporaryDir folder;
+        const auto views = renderedViews(plainFloor({62, 62, 64}, 0.2), folder.path().toStdString());
+        QVERIFY2(views.has_value(), views ? "" : views.error().message().c_str());
+        RobotRecord robot;
+        robot.name = "robot";
+        const auto whole = trackViews(*views, {robot}, {});
+        QVERIFY2(whole.has_value(), whole ? "" : whole.error().message().c_str());
+        const auto asShadow = trackAgain(*views, {robot}, *whole, 0.2F, {});
+        QVERIFY(asShadow && meanAreaPx(*asShadow) < 0.97 * meanAreaPx(*whole));
+        const auto chosen = trackAndSettle(*views, {robot}, {});
+        QVERIFY(chosen && meanAreaPx(chosen->views) == meanAreaPx(*whole));
+    }
+
+    void whatCannotBeReadIsAnError()
+    {
+        RegisteredView view;
+        view.file = "/nowhere/video.mkv";
+        const auto tracked = trackAndSettle({view}, {RobotRecord()}, {});
+        QVERIFY(!tracked && tracked.error().message().find("/nowhere/video.mkv") != std::string::npos);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestShadowChoice)
+#include "tst_shadow_choice.moc"
