@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/occlusions.h"
+
+#include "core/base/upper_median.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace odo {
+
+namespace {
+
+constexpr Nanoseconds longestPause = std::chrono::milliseconds(200), shortestOcclusion = std::chrono::milliseconds(100);
+constexpr double touchingRadii = 1.2; // of the sum of two robots' radii: outlines nearer than that may be one
+
+/// What one sample says. other: the robot's number where the cause names one.
+struct OcclusionLabel
+{
+    OcclusionCause cause;
+    std::optional<std::size_t> other;
+};
+
+bool isUnexplained(OcclusionCause cause)
+{
+    return cause == OcclusionCause::NotVisible || cause == OcclusionCause::PartlyVisible || cause == OcclusionCause::OutlineTooLarge;
+}
+
+/// Samples with like labels, one after the other.
+struct OcclusionRun
+{
+    TimeSpan span;
+    std::array<int, 7> counts{}; ///< of each cause
+    std::optional<std::size_t> other;
+    bool isUnexplained = false, isCut = false;
+
+    bool isOf(const OcclusionLabel &label) const
+    {
+        return other == label.other && isUnexplained == odo::isUnexplained(label.cause) && isCut == (label.cause == OcclusionCause::CutByEdge);
+    }
+    /// The first of the causes that occurs says most; of outlines too small and too large, the one that occurs more often.
+    OcclusionCause cause() const
+    {
+        const auto countOf = [this](OcclusionCause cause) { return counts[static_cast<std::size_t>(cause)]; };
+        if (isUnexplained && countOf(OcclusionCause::NotVisible) == 0)
+            return countOf(OcclusionCause::OutlineTooLarge) > countOf(OcclusionCause::PartlyVisible) ? OcclusionCause::OutlineTooLarge : OcclusionCause::PartlyVisible;
+        return static_cast<OcclusionCause>(std::ranges::find_if(counts, [](int count) { return count > 0; }) - counts.begin());
+    }
+};
+
+/// All robots as one view sees them.
+class WatchedView
+{
+public:
+    WatchedView(const OcclusionView &view, std::size_t number, std::span<const OcclusionRobot> robots) : m_view(view), m_number(number), m_robots(robots)
+    {
+        for (std::size_t r = 0; r < robots.size(); ++r)
+            m_radiiM.push_back(usualRadiusM(r));
+    }
+
+    std::vector<OcclusionRun> runsOf(std::size_t robot) const
+    {
+        std::vector<OcclusionRun> runs;
+        const Profile &profile = *m_robots[robot].profile;
+        for (std::size_t i = 0; i < profile.samples.size(); ++i) {
+            const auto label = labelOf(robot, i);
+            if (!label)
+                continue;
+            const Nanoseconds time = profile.samples[i].time;
+            if (runs.empty() || !runs.back().isOf(*label) || time - runs.back().span.end > longestPause)
+                runs.push_back({{time, time}, {}, label->other, isUnexplained(label->cause), label->cause == OcclusionCause::CutByEdge});
+            runs.back().span.end = time;
+            ++runs.back().counts[static_cast<std::size_t>(label->cause)];
+        }
+        return runs;
+    }
+
+private:
+    /// Where the middle of a robot is in the frame, and how large it usually is there.
+    struct Place
+    {
+        Eigen::Vector2d pixel;
+        double radiusPx = 0, distanceM = 0; ///< from the camera
+    };
+
+    double focalPx() const { return m_view.floorView->camera().intrinsics().fxPx; }
+
+    std::optional<Place> placeOf(std::size_t robot, const ProfilePoint &point) const
+    {
+        const Eigen::Vector3d middle(point.position.x(), point.position.y(), silhouettePlaneM(m_robots[robot].profile->heightM));
+        const auto pixel = point.valid ? m_view.floorView->pixelFromWorld(middle) : std::nullopt;
+        if (!pixel)
+            return std::nullopt;
+        const double distanceM = (middle - m_view.floorView->cameraInWorld()).norm();
+        return Place{*pixel, robot < m_radiiM.size() ? m_radiiM[robot] * focalPx() / distanceM : 0, distanceM};
+    }
+
+    /// What it was looked for in; one entry a frame, found or not.
+    std::span<const Observation> observationsOf(std::size_t robot) const
+    {
+        return m_number < m_robots[robot].observations.size() ? m_robots[robot].observations[m_number] : std::span<const Observation>();
+    }
+
+    /// A view that began later or ended earlier hid nothing then.
+    bool isRecordedAt(std::size_t robot, Nanoseconds time) const
+    {
+        const std::span<const Observation> all = observationsOf(robot);
+        const Nanoseconds own = m_view.clock.ownTime(time);
+        return !all.empty() && own >= all.front().time && own <= all.back().time;
+    }
+
+    /// nullptr where it was not found in the frame nearest to a time.
+    const Observation *observationAt(std::size_t robot, Nanoseconds time) const
+    {
+        const std::span<const Observation> all = observationsOf(robot);
+        const Nanoseconds own = m_view.clock.ownTime(time);
+        auto at = std::ranges::lower_bound(all, own, {}, &Observation::time);
+        if (at == all.end() || (at != all.begin() && own - (at - 1)->time < at->time - own))
+            at = at == all.begin() ? at : at - 1;
+        return at != all.end() && at->found && std::chrono::abs(at->time - own) < shortestOcclusion ? &*at : nullptr;
+    }
+
+    static double radiusOf(const Observation &observation) { return std::sqrt(observation.areaPx / std::numbers::pi); }
+
+    double usualRadiusM(std::size_t robot) const
+    {
+        std::vector<double> radiiM;
+        const Profile *profile = m_robots[robot].profile;
+        for (std::size_t i = 0; profile && i < profile->samples.size(); ++i) {
+            const auto place = placeOf(robot, profile->points[i]);
+            const Observation *seen = place ? observationAt(robot, profile->samples[i].time) : nullptr;
+            if (seen && !seen->touchesBorder)
+                radiiM.push_back(radiusOf(*seen) * place->distanceM / focalPx());
+        }
+        return radiiM.empty() ? 0 : upperMedian(std::move(radiiM));
+    }
+
+    /// How far inside the frame a pixel lies; negative outside.
+    double insidePx(const Eigen::Vector2d &pixel) const
+    {
+        const Intrinsics &frame = m_view.floorView->camera().intrinsics();
+        return std::min({pixel.x(), pixel.y(), frame.widthPx - 1 - pixel.x(), frame.heightPx - 1 - pixel.y()});
+    }
+
+    /// nullopt: the view measured all of it, or has nothing to do with it.
+    std::optional<OcclusionLabel> labelOf(std::size_t robot, std::size_t i) const
+    {
+        const Profile &profile = *m_robots[robot].profile;
+        const Sample &sample = profile.samples[i];
+        const Observation *seen = observationAt(robot, sample.time);
+        const bool isMeasured = (sample.views >> m_number & 1) != 0 && !hasFlag(sample.flags, SampleFlag::LowScore);
+        const bool isElsewhere = seen && hasFlag(sample.flags, SampleFlag::ViewsDisagree); // its reason says so
+        if (isMeasured || isElsewhere || !isRecordedAt(robot, sample.time) || hasFlag(sample.flags, SampleFlag::DuplicateFrame))
+            return std::nullopt;
+        const auto place = placeOf(robot, profile.points[i]);
+        if (!place || insidePx(place->pixel) < 0)
+            return std::nullopt;
+        if (seen ? seen->touchesBorder : insidePx(place->pixel) < place->radiusPx)
+            return OcclusionLabel{OcclusionCause::CutByEdge, {}};
+        if (const auto label = labelByOther(robot, sample.time, *place, seen))
+            return label;
+        if (!seen)
+            return OcclusionLabel{OcclusionCause::NotVisible, {}};
+        return OcclusionLabel{radiusOf(*seen) < place->radiusPx ? OcclusionCause::PartlyVisible : OcclusionCause::OutlineTooLarge, {}};
+    }
+
+    /// By the nearest robot whose outline can meet this one's.
+    std::optional<OcclusionLabel> labelByOther(std::size_t robot, Nanoseconds time, const Place &place, const Observation *seen) const
+    {
+        std::optional<OcclusionLabel> label;
+        double nearest = touchingRadii;
+        for (std::size_t other = 0; other < m_robots.size(); ++other) {
+            const auto its = other == robot ? std::nullopt : placeAt(other, time);
+            const double radii = its ? (its->pixel - place.pixel).norm() / (its->radiusPx + place.radiusPx) : nearest;
+            if (!(radii < nearest))
+                continue;
+            nearest = radii;
+            const bool isBehind = its->distanceM < place.distanceM && (its->pixel - place.pixel).norm() < std::max(its->radiusPx, place.radiusPx);
+            label = OcclusionLabel{!isBehind ? OcclusionCause::OneOutline : seen ? OcclusionCause::PartlyHiddenBehind : OcclusionCause::HiddenBehind, other};
+        }
+        return label;
+    }
+
+    std::optional<Place> placeAt(std::size_t robot, Nanoseconds time) const
+    {
+        const Profile *profile = m_robots[robot].profile;
+        if (!profile || profile->samples.size() != profile->points.size())
+            return std::nullopt;
+        const auto at = std::ranges::lower_bound(profile->samples, time, {}, &Sample::time);
+        return at == profile->samples.end() ? std::nullopt : placeOf(robot, profile->points[static_cast<std::size_t>(at - profile->samples.begin())]);
+    }
+
+    const OcclusionView &m_view;
+    std::size_t m_number;
+    std::span<const OcclusionRobot> m_robots;
+    std::vector<double> m_radiiM; ///< of a disc with the usual outline's area
+};
+
+/// Where an outline grows or shrinks just before or after it is hidden behind a robot or cut, it is the same event.
+std::vector<OcclusionRun> joinedEvents(const std::vector<OcclusionRun> &runs)
+{
+    std::vector<OcclusionRun> events;
+    for (const OcclusionRun &run : runs) {
+        const bool follows = !events.empty() && run.span.begin - events.back().span.end <= longestPause;
+        if (!follows || (!run.isUnexplained && !events.back().isUnexplained && (run.other != events.back().other || run.isCut != events.back().isCut))) {
+            events.push_back(run);
+            continue;
+        }
+        OcclusionRun &event = events.back();
+        const OcclusionRun &named = event.isUnexplained ? run : event;
+        OcclusionRun both{{event.span.begin, run.span.end}, named.counts, named.other, named.isUnexplained, named.isCut};
+        if (event.isUnexplained == run.isUnexplained)
+            std::ranges::transform(event.counts, run.counts, both.counts.begin(), std::plus());
+        event = both;
+    }
+    return events;
+}
+
+bool isWatched(const OcclusionRobot &robot)
+{
+    return robot.profile && !robot.profile->samples.empty() && robot.profile->samples.size() == robot.profile->points.size();
+}
+
+} // namespace
+
+std::string_view occlusionCauseName(OcclusionCause cause)
+{
+    static constexpr std::array<std::string_view, 7> names{"hidden_behind", "partly_hidden_behind", "one_outline", "cut_by_edge", "not_visible", "partly_visible", "outline_too_large"};
+    return names[static_cast<std::size_t>(cause)];
+}
+
+std::string occlusionWords(const Occlusion &occlusion)
+{
+    const std::string where = " in view " + occlusion.view;
+    switch (occlusion.cause) {
+    case OcclusionCause::HiddenBehind:
+        return "hidden behind " + occlusion.other + where;
+    case OcclusionCause::PartlyHiddenBehind:
+        return "partly hidden behind " + occlusion.other + where;
+    case OcclusionCause::OneOutline:
+        return "one outline with " + occlusion.other + where;
+    case OcclusionCause::CutByEdge:
+        return "cut by the frame's edge" + where;
+    case OcclusionCause::PartlyVisible:
+        return "outline smaller than usual" + where;
+    case OcclusionCause::OutlineTooLarge:
+        return "outline larger than usual" + where;
+    case OcclusionCause::NotVisible:
+        break;
+    }
+    return "not visible" + where;
+}
+
+std::string occlusionSentence(const Occlusion &occlusion)
+{
+    return occlusionWords(occlusion) + " (" + secondsText(toSeconds(occlusion.span.begin)) + " to " + secondsText(toSeconds(occlusion.span.end)) + ")";
+}
+
+std::string reasonAmong(const std::vector<Occlusion> &occlusions, const Spike &spike)
+{
+    std::string reason = spike.reason;
+    for (const Occlusion &one : occlusions) {
+        if (one.span.contains(spike.time))
+            reason += (reason.empty() ? "" : "; ") + occlusionWords(one);
+    }
+    return reason;
+}
+
+std::vector<std::vector<Occlusion>> findOcclusions(std::span<const OcclusionView> views, std::span<const OcclusionRobot> robots)
+{
+    std::vector<std::vector<Occlusion>> all(robots.size());
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        if (!views[v].floorView)
+            continue;
+        const WatchedView watched(views[v], v, robots);
+        for (std::size_t r = 0; r < robots.size(); ++r) {
+            for (const OcclusionRun &run : isWatched(robots[r]) ? joinedEvents(watched.runsOf(r)) : std::vector<OcclusionRun>()) {
+                if (run.span.end - run.span.begin >= shortestOcclusion)
+                    all[r].push_back({run.span, run.cause(), views[v].name, run.other ? robots[*run.other].name : std::string()});
+            }
+        }
+    }
+    for (auto &its : all)
+        std::ranges::stable_sort(its, {}, [](const Occlusion &one) { return one.span.begin; });
+    return all;
+}
+
+} // namespace odo
