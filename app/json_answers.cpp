@@ -120,14 +120,14 @@ QJsonArray metricsJson(const std::vector<Metric> &metrics)
     return array;
 }
 
-QJsonArray spikesJson(const std::vector<Spike> &spikes)
+QJsonArray spikesJson(const std::vector<Spike> &spikes, const std::vector<Occlusion> &occlusions)
 {
     QJsonArray array;
     for (const Spike &spike : spikes)
         array.append(QJsonObject{{QStringLiteral("t_s"), toSeconds(spike.time)},
                                  {QStringLiteral("sample"), qint64(spike.sampleIndex)},
                                  {QStringLiteral("flags"), QString::fromStdString(flagNames(spike.flags))},
-                                 {QStringLiteral("reason"), QString::fromStdString(spike.reason)}});
+                                 {QStringLiteral("reason"), QString::fromStdString(reasonAmong(occlusions, spike))}});
     return array;
 }
 
@@ -139,6 +139,21 @@ QJsonArray doubtsJson(const std::vector<DoubtfulName> &doubts)
         for (const std::string &name : doubt.otherNames)
             others.append(QString::fromStdString(name));
         array.append(QJsonObject{{QStringLiteral("from_s"), toSeconds(doubt.from)}, {QStringLiteral("to_s"), toSeconds(doubt.to)}, {QStringLiteral("others"), others}});
+    }
+    return array;
+}
+
+QJsonArray occlusionsJson(const std::vector<Occlusion> &occlusions)
+{
+    QJsonArray array;
+    for (const Occlusion &one : occlusions) {
+        const std::string_view cause = occlusionCauseName(one.cause);
+        array.append(QJsonObject{{QStringLiteral("from_s"), toSeconds(one.span.begin)},
+                                 {QStringLiteral("to_s"), toSeconds(one.span.end)},
+                                 {QStringLiteral("view"), QString::fromStdString(one.view)},
+                                 {QStringLiteral("cause"), QString::fromUtf8(cause.data(), qsizetype(cause.size()))},
+                                 {QStringLiteral("other"), one.other.empty() ? QJsonValue() : QJsonValue(QString::fromStdString(one.other))},
+                                 {QStringLiteral("reason"), QString::fromStdString(occlusionWords(one))}});
     }
     return array;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/project/records.h"
+#include "core/trajectory/occlusions.h"
 
 #include <QJsonArray>
 #include <QJsonObject>
@@ -18,7 +19,10 @@ QJsonArray vectorJson(const Eigen::VectorXd &vector);
 QJsonArray metricsJson(const std::vector<Metric> &metrics);
 /// When it could not be told which robot it is: [{from_s, to_s, others[]}].
 QJsonArray doubtsJson(const std::vector<DoubtfulName> &doubts);
-QJsonArray spikesJson(const std::vector<Spike> &spikes);
+/// When which view did not measure the whole of it: [{from_s, to_s, view, cause, other, reason}].
+QJsonArray occlusionsJson(const std::vector<Occlusion> &occlusions);
+/// Each with its reason among the robot's occlusions.
+QJsonArray spikesJson(const std::vector<Spike> &spikes, const std::vector<Occlusion> &occlusions);
 /// null where there is none.
 QJsonValue optionalJson(const std::optional<double> &value);
 QJsonArray sentencesJson(const std::vector<std::string> &sentences);

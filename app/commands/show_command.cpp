@@ -9,6 +9,7 @@
 #include "core/workflow/imported_tracks.h"
 #include "core/workflow/robot_names.h"
 #include "core/workflow/track_warnings.h"
+#include "core/workflow/trial_occlusions.h"
 #include "core/workflow/truth_accuracy.h"
 
 #include <QDateTime>
@@ -69,16 +70,18 @@ QString metricText(const Metric &metric)
     return metric.unit == "1" ? line : line + QStringLiteral(" ") + QString::fromStdString(metric.unit);
 }
 
-QStringList robotText(const AnalysisRecord &analysis, const std::optional<TruthAccuracy> &accuracy)
+QStringList robotText(const AnalysisRecord &analysis, const std::vector<Occlusion> &occlusions, const std::optional<TruthAccuracy> &accuracy)
 {
     QStringList lines(QStringLiteral("Robot %1").arg(QString::fromStdString(analysis.robotName)));
     for (const Metric &metric : analysis.profile.metrics)
         lines << metricText(metric);
     lines << taskLines(analysis.profile);
     for (const Spike &spike : analysis.profile.spikes)
-        lines << QStringLiteral("  spike at %1 s: %2").arg(toSeconds(spike.time), 0, 'f', 3).arg(QString::fromStdString(spike.reason));
+        lines << QStringLiteral("  spike at %1 s: %2").arg(toSeconds(spike.time), 0, 'f', 3).arg(QString::fromStdString(reasonAmong(occlusions, spike)));
     for (const DoubtfulName &doubt : analysis.doubtfulNames)
         lines << QStringLiteral("  %1").arg(QString::fromStdString(doubtfulNamesSentence({&doubt, 1}, analysis.robotName)));
+    for (const Occlusion &one : occlusions)
+        lines << QStringLiteral("  %1").arg(QString::fromStdString(occlusionSentence(one)));
     if (accuracy)
         lines << QStringLiteral("  against the known truth: %1 mm, %2 mm/s, %3 mm/s² RMS")
                      .arg(toMillimetres(accuracy->positionRmsM), 0, 'f', 2)
@@ -132,7 +135,11 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
             used.push_back(&(*recordings)[v]);
     }
     warnings = stepWarnings(trial->name, used);
-    for (const AnalysisRecord &analysis : *analyses) {
+    const auto occlusions = trialOcclusions(project, trial->id, *analyses);
+    if (!occlusions)
+        return tl::unexpected(occlusions.error());
+    for (std::size_t a = 0; a < analyses->size(); ++a) {
+        const AnalysisRecord &analysis = (*analyses)[a];
         const auto truth = project.trials().truth(trial->id, analysis.robot);
         if (!truth)
             return tl::unexpected(truth.error());
@@ -140,8 +147,9 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
         if (*truth)
             accuracy = compareWithTruth(analysis.profile, **truth);
         QJsonObject robot{{QStringLiteral("metrics"), metricsJson(analysis.profile.metrics)},
-                          {QStringLiteral("spikes"), spikesJson(analysis.profile.spikes)},
+                          {QStringLiteral("spikes"), spikesJson(analysis.profile.spikes, (*occlusions)[a])},
                           {QStringLiteral("doubts"), doubtsJson(analysis.doubtfulNames)},
+                          {QStringLiteral("occlusions"), occlusionsJson((*occlusions)[a])},
                           {QStringLiteral("doubtful_s"), doubtfulSeconds(analysis.doubtfulNames)},
                           {QStringLiteral("height_m"), analysis.profile.heightM},
                           {QStringLiteral("height_estimated"), analysis.profile.heightEstimated},
@@ -150,7 +158,7 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
         if (accuracy)
             robot.insert(QStringLiteral("truth"), truthJson(*accuracy));
         robots.insert(QString::fromStdString(analysis.robotName), robot);
-        lines << robotText(analysis, accuracy);
+        lines << robotText(analysis, (*occlusions)[a], accuracy);
         if (const ImportedTrack *source = sourceOf(analysis, *imported))
             lines << QStringLiteral("  ") + importedTrackText(*source);
         for (std::string &warning : analysisWarnings(analysis, trial->name))

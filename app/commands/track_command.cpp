@@ -28,6 +28,7 @@ QJsonObject robotJson(const TrackedRobot &robot)
     json.insert(QStringLiteral("clearance_mm"), profile.clearanceM ? QJsonValue(toMillimetres(*profile.clearanceM)) : QJsonValue());
     json.insert(QStringLiteral("doubtful_s"), optionalJson(robot.doubtfulS));
     json.insert(QStringLiteral("doubts"), doubtsJson(robot.analysis.doubtfulNames));
+    json.insert(QStringLiteral("occlusions"), occlusionsJson(robot.occlusions));
     insertTaskAnswers(json, profile);
     return json;
 }

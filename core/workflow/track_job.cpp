@@ -12,6 +12,7 @@
 #include "core/workflow/shadow_choice.h"
 #include "core/workflow/task_analysis.h"
 #include "core/workflow/track_warnings.h"
+#include "core/workflow/trial_occlusions.h"
 #include "core/workflow/view_tracking.h"
 
 #include <algorithm>
@@ -45,6 +46,7 @@ struct TrackJob::Impl
     std::vector<TrackedView> stored;      ///< with `again`
     std::vector<std::vector<Sample>> imported; ///< with `again` of imported tracks, one a robot
     std::vector<ObservationSeries> observations;
+    std::vector<StoredRobot> others; ///< of the trial, which are not tracked now
     std::vector<std::vector<DoubtfulName>> doubts; ///< of each robot; with `again` those of its newest analysis
     TrackOutcome outcome;
 
@@ -52,6 +54,7 @@ struct TrackJob::Impl
     Result<void> takeImported(Project &project);
     Result<void> analyseAll(std::vector<TrackedView> &tracked);
     Result<TaskAnalysis> analyseOne(std::vector<TrackedView> &tracked, std::size_t robot) const;
+    void findOcclusionsIn(const std::vector<TrackedView> &tracked);
     void addOutcome(AnalysisRecord analysis);
 };
 
@@ -95,6 +98,10 @@ Result<void> TrackJob::prepare(Project &project)
         return tl::unexpected(imported.error());
     if (!imported->empty())
         return d.takeImported(project);
+    auto others = otherRobots(project, d.trial.id, d.views, d.robots);
+    if (!others)
+        return tl::unexpected(others.error());
+    d.others = std::move(*others);
     if (!d.settings.again)
         return {};
     auto stored = storedObservations(project, d.trialName, d.views, d.robots);
@@ -229,7 +236,21 @@ Result<void> TrackJob::Impl::analyseAll(std::vector<TrackedView> &tracked)
             outcome.warnings.push_back(std::move(warning));
         addOutcome(std::move(analysis));
     }
+    if (imported.empty())
+        findOcclusionsIn(tracked);
     return {};
+}
+
+void TrackJob::Impl::findOcclusionsIn(const std::vector<TrackedView> &tracked)
+{
+    std::vector<const AnalysisRecord *> analyses;
+    for (const TrackedRobot &robot : outcome.robots)
+        analyses.push_back(&robot.analysis);
+    auto occlusions = trackedOcclusions(views, tracked, analyses, others);
+    for (std::size_t r = 0; r < occlusions.size(); ++r) {
+        removeSpikesOfPassing(occlusions[r], outcome.robots[r].analysis.profile.spikes);
+        outcome.robots[r].occlusions = std::move(occlusions[r]);
+    }
 }
 
 void TrackJob::Impl::addOutcome(AnalysisRecord analysis)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/project/records.h"
+#include "core/trajectory/occlusions.h"
 #include "core/workflow/job.h"
 
 #include <map>
@@ -41,6 +42,7 @@ struct TrackedRobot
     std::int64_t tracked = 0; ///< of them, with a position
     bool isFoundByColour = false;
     std::optional<double> doubtfulS; ///< for how long it could not be told from others of its look; empty with `again` where no such time is stored
+    std::vector<Occlusion> occlusions; ///< when which view did not measure the whole of it
     AnalysisRecord analysis;
 };
 
