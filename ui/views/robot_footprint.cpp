@@ -57,7 +57,8 @@ void RobotFootprint::paintEvent(QPaintEvent *)
     sign.colour = drawnColour(m_robot.drawingColour, colours.spike, palette());
     drawMapRobot(painter, plan, sign, palette());
     painter.setPen(colours.muted);
-    painter.drawText(QRectF(0, height() - MapPlan::footHeight, width(), MapPlan::footHeight - 6), Qt::AlignHCenter | Qt::AlignBottom, words());
+    constexpr double margin = 6;
+    painter.drawText(QRectF(rect()).adjusted(margin, 0, -margin, -margin), Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap, words());
 }
 
 } // namespace odo
