@@ -6699,6 +6699,45 @@
         <source>name one of its robots</source>
         <translation>nennen Sie einen seiner Roboter</translation>
     </message>
+    <message>
+        <source>hidden behind %1 in view %2</source>
+        <translation>verdeckt von %1 in Sicht %2</translation>
+    </message>
+    <message>
+        <source>partly hidden behind %1 in view %2</source>
+        <translation>teilweise verdeckt von %1 in Sicht %2</translation>
+    </message>
+    <message>
+        <source>one outline with %1 in view %2</source>
+        <translation>ein Umriss mit %1 in Sicht %2</translation>
+    </message>
+    <message>
+        <source>cut by the frame&apos;s edge in view %1</source>
+        <translation>vom Bildrand abgeschnitten in Sicht %1</translation>
+    </message>
+    <message>
+        <source>not visible in view %1</source>
+        <translation>nicht sichtbar in Sicht %1</translation>
+    </message>
+    <message>
+        <source>outline smaller than usual in view %1</source>
+        <translation>Umriss kleiner als sonst in Sicht %1</translation>
+    </message>
+    <message>
+        <source>outline larger than usual in view %1</source>
+        <translation>Umriss größer als sonst in Sicht %1</translation>
+    </message>
+</context>
+<context>
+    <name>DoubtfulStretches</name>
+    <message>
+        <source>Which robot? Until %1</source>
+        <translation>Welcher Roboter? Bis %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (%2 bis %3)</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>
@@ -8424,6 +8463,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Do not rely on these results: they were changed in the file since they were analysed.</source>
         <translation>Verlassen Sie sich nicht auf diese Ergebnisse: Sie wurden seit der Auswertung in der Datei geändert.</translation>
+    </message>
+    <message>
+        <source>%1 times in all</source>
+        <translation>insgesamt %1-mal</translation>
     </message>
 </context>
 <context>
@@ -11913,6 +11956,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Chart: %1 against the distance</source>
         <translation>Diagramm: %1 über dem Weg</translation>
     </message>
+    <message>
+        <source>shaded: hidden or doubtful</source>
+        <translation>schattiert: verdeckt oder zweifelhaft</translation>
+    </message>
 </context>
 <context>
     <name>odo::RangeCard</name>
@@ -12606,7 +12653,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <name>odo::RobotPointing</name>
     <message>
         <source>&amp;Point out a robot</source>
-        <translation>Roboter &amp;zeigen</translation>
+        <translation>Auf einen Roboter &amp;zeigen</translation>
     </message>
     <message>
         <source>The wrong thing is outlined: click the robot in a picture, and the trial is tracked again (%1)</source>
@@ -13147,8 +13194,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>%1 zweifelhaft</translation>
     </message>
     <message>
-        <source>Which robot? Until %1</source>
-        <translation>Welcher Roboter? Bis %1</translation>
+        <source>%1 hidden</source>
+        <translation>%1 verdeckt</translation>
     </message>
 </context>
 <context>

@@ -6699,6 +6699,45 @@
         <source>name one of its robots</source>
         <translation>indique uno de sus robots</translation>
     </message>
+    <message>
+        <source>hidden behind %1 in view %2</source>
+        <translation>oculto tras %1 en la vista %2</translation>
+    </message>
+    <message>
+        <source>partly hidden behind %1 in view %2</source>
+        <translation>parcialmente oculto tras %1 en la vista %2</translation>
+    </message>
+    <message>
+        <source>one outline with %1 in view %2</source>
+        <translation>un solo contorno con %1 en la vista %2</translation>
+    </message>
+    <message>
+        <source>cut by the frame&apos;s edge in view %1</source>
+        <translation>cortado por el borde de la imagen en la vista %1</translation>
+    </message>
+    <message>
+        <source>not visible in view %1</source>
+        <translation>no visible en la vista %1</translation>
+    </message>
+    <message>
+        <source>outline smaller than usual in view %1</source>
+        <translation>contorno menor de lo habitual en la vista %1</translation>
+    </message>
+    <message>
+        <source>outline larger than usual in view %1</source>
+        <translation>contorno mayor de lo habitual en la vista %1</translation>
+    </message>
+</context>
+<context>
+    <name>DoubtfulStretches</name>
+    <message>
+        <source>Which robot? Until %1</source>
+        <translation>¿Qué robot? Hasta %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (de %2 a %3)</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>
@@ -8424,6 +8463,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Do not rely on these results: they were changed in the file since they were analysed.</source>
         <translation>No se fíe de estos resultados: se modificaron en el archivo después del análisis.</translation>
+    </message>
+    <message>
+        <source>%1 times in all</source>
+        <translation>%1 veces en total</translation>
     </message>
 </context>
 <context>
@@ -11913,6 +11956,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>Chart: %1 against the distance</source>
         <translation>Gráfica: %1 según la distancia</translation>
     </message>
+    <message>
+        <source>shaded: hidden or doubtful</source>
+        <translation>sombreado: oculto o en duda</translation>
+    </message>
 </context>
 <context>
     <name>odo::RangeCard</name>
@@ -13147,8 +13194,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>%1 en duda</translation>
     </message>
     <message>
-        <source>Which robot? Until %1</source>
-        <translation>¿Qué robot? Hasta %1</translation>
+        <source>%1 hidden</source>
+        <translation>%1 con ocultación</translation>
     </message>
 </context>
 <context>

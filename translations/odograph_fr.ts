@@ -6699,6 +6699,45 @@
         <source>name one of its robots</source>
         <translation>nommez l&apos;un de ses robots</translation>
     </message>
+    <message>
+        <source>hidden behind %1 in view %2</source>
+        <translation>caché derrière %1 dans la vue %2</translation>
+    </message>
+    <message>
+        <source>partly hidden behind %1 in view %2</source>
+        <translation>partiellement caché derrière %1 dans la vue %2</translation>
+    </message>
+    <message>
+        <source>one outline with %1 in view %2</source>
+        <translation>un seul contour avec %1 dans la vue %2</translation>
+    </message>
+    <message>
+        <source>cut by the frame&apos;s edge in view %1</source>
+        <translation>coupé par le bord de l’image dans la vue %1</translation>
+    </message>
+    <message>
+        <source>not visible in view %1</source>
+        <translation>non visible dans la vue %1</translation>
+    </message>
+    <message>
+        <source>outline smaller than usual in view %1</source>
+        <translation>contour plus petit que d’habitude dans la vue %1</translation>
+    </message>
+    <message>
+        <source>outline larger than usual in view %1</source>
+        <translation>contour plus grand que d’habitude dans la vue %1</translation>
+    </message>
+</context>
+<context>
+    <name>DoubtfulStretches</name>
+    <message>
+        <source>Which robot? Until %1</source>
+        <translation>Quel robot&#xa0;? Jusqu’à %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (de %2 à %3)</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>
@@ -8424,6 +8463,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Do not rely on these results: they were changed in the file since they were analysed.</source>
         <translation>Ne vous fiez pas à ces résultats : ils ont été modifiés dans le fichier depuis l’analyse.</translation>
+    </message>
+    <message>
+        <source>%1 times in all</source>
+        <translation>%1 fois en tout</translation>
     </message>
 </context>
 <context>
@@ -11913,6 +11956,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Chart: %1 against the distance</source>
         <translation>Graphique&#xa0;: %1 selon la distance</translation>
     </message>
+    <message>
+        <source>shaded: hidden or doubtful</source>
+        <translation>ombré&#xa0;: caché ou en doute</translation>
+    </message>
 </context>
 <context>
     <name>odo::RangeCard</name>
@@ -13147,8 +13194,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>%1 en doute</translation>
     </message>
     <message>
-        <source>Which robot? Until %1</source>
-        <translation>Quel robot&#xa0;? Jusqu’à %1</translation>
+        <source>%1 hidden</source>
+        <translation>%1 avec occultation</translation>
     </message>
 </context>
 <context>

@@ -6697,6 +6697,45 @@
         <source>name one of its robots</source>
         <translation>시행의 로봇 가운데 하나를 지정하십시오</translation>
     </message>
+    <message>
+        <source>hidden behind %1 in view %2</source>
+        <translation>뷰 %2에서 %1에 가려짐</translation>
+    </message>
+    <message>
+        <source>partly hidden behind %1 in view %2</source>
+        <translation>뷰 %2에서 %1에 일부 가려짐</translation>
+    </message>
+    <message>
+        <source>one outline with %1 in view %2</source>
+        <translation>뷰 %2에서 %1과(와) 윤곽이 하나로 합쳐짐</translation>
+    </message>
+    <message>
+        <source>cut by the frame&apos;s edge in view %1</source>
+        <translation>뷰 %1에서 영상 가장자리에서 잘림</translation>
+    </message>
+    <message>
+        <source>not visible in view %1</source>
+        <translation>뷰 %1에서 보이지 않음</translation>
+    </message>
+    <message>
+        <source>outline smaller than usual in view %1</source>
+        <translation>뷰 %1에서 윤곽이 평소보다 작음</translation>
+    </message>
+    <message>
+        <source>outline larger than usual in view %1</source>
+        <translation>뷰 %1에서 윤곽이 평소보다 큼</translation>
+    </message>
+</context>
+<context>
+    <name>DoubtfulStretches</name>
+    <message>
+        <source>Which robot? Until %1</source>
+        <translation>어느 로봇? %1까지</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1(%2~%3)</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>
@@ -8418,6 +8457,10 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Do not rely on these results: they were changed in the file since they were analysed.</source>
         <translation>이 결과를 신뢰하지 마십시오: 분석 후 파일에서 변경되었습니다.</translation>
+    </message>
+    <message>
+        <source>%1 times in all</source>
+        <translation>모두 %1회</translation>
     </message>
 </context>
 <context>
@@ -11898,6 +11941,10 @@ Much more than expected means that something is not as it was told: the views ar
         <source>Chart: %1 against the distance</source>
         <translation>차트: 거리에 따른 %1</translation>
     </message>
+    <message>
+        <source>shaded: hidden or doubtful</source>
+        <translation>음영: 가려짐 또는 불확실</translation>
+    </message>
 </context>
 <context>
     <name>odo::RangeCard</name>
@@ -13128,8 +13175,8 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1개 불확실</translation>
     </message>
     <message>
-        <source>Which robot? Until %1</source>
-        <translation>어느 로봇? %1까지</translation>
+        <source>%1 hidden</source>
+        <translation>%1개 가려짐</translation>
     </message>
 </context>
 <context>

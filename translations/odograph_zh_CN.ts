@@ -6697,6 +6697,45 @@
         <source>name one of its robots</source>
         <translation>请指定它的一个机器人</translation>
     </message>
+    <message>
+        <source>hidden behind %1 in view %2</source>
+        <translation>在视角 %2 中被 %1 遮挡</translation>
+    </message>
+    <message>
+        <source>partly hidden behind %1 in view %2</source>
+        <translation>在视角 %2 中被 %1 部分遮挡</translation>
+    </message>
+    <message>
+        <source>one outline with %1 in view %2</source>
+        <translation>在视角 %2 中与 %1 连成一个轮廓</translation>
+    </message>
+    <message>
+        <source>cut by the frame&apos;s edge in view %1</source>
+        <translation>在视角 %1 中被画面边缘截断</translation>
+    </message>
+    <message>
+        <source>not visible in view %1</source>
+        <translation>在视角 %1 中不可见</translation>
+    </message>
+    <message>
+        <source>outline smaller than usual in view %1</source>
+        <translation>在视角 %1 中轮廓比平时小</translation>
+    </message>
+    <message>
+        <source>outline larger than usual in view %1</source>
+        <translation>在视角 %1 中轮廓比平时大</translation>
+    </message>
+</context>
+<context>
+    <name>DoubtfulStretches</name>
+    <message>
+        <source>Which robot? Until %1</source>
+        <translation>哪台机器人？至 %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1（%2 至 %3）</translation>
+    </message>
 </context>
 <context>
     <name>Explanation</name>
@@ -8418,6 +8457,10 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Do not rely on these results: they were changed in the file since they were analysed.</source>
         <translation>请勿采信这些结果：分析后它们在文件中被更改过。</translation>
+    </message>
+    <message>
+        <source>%1 times in all</source>
+        <translation>共 %1 次</translation>
     </message>
 </context>
 <context>
@@ -11898,6 +11941,10 @@ Much more than expected means that something is not as it was told: the views ar
         <source>Chart: %1 against the distance</source>
         <translation>图表：%1 随路程的变化</translation>
     </message>
+    <message>
+        <source>shaded: hidden or doubtful</source>
+        <translation>阴影：被遮挡或存疑</translation>
+    </message>
 </context>
 <context>
     <name>odo::RangeCard</name>
@@ -13128,8 +13175,8 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1 处存疑</translation>
     </message>
     <message>
-        <source>Which robot? Until %1</source>
-        <translation>哪台机器人？至 %1</translation>
+        <source>%1 hidden</source>
+        <translation>%1 处被遮挡</translation>
     </message>
 </context>
 <context>

@@ -385,7 +385,7 @@ Explanation explainCurve(const TrialScene &scene, std::size_t robot, Quantity qu
 Explanation explainSpike(const TrialScene &scene, std::size_t robot, const Spike &spike)
 {
     Explanation explanation{ExplanationWords::tr("Spike at %1").arg(secondsText(spike.time)),
-                            shownWords(spike.reason),
+                            shownWords(reasonAmong(scene.robots[robot].occlusions, spike)),
                             flagMeanings(spike.flags).join(u'\n'),
                             {},
                             analysisInputs(scene, robot),

@@ -27,8 +27,9 @@ void SpikeModel::setScene(TrialScenePtr scene)
             m_rows.push_back({static_cast<int>(robot), spike, restored});
         }
         addUsedByHand(static_cast<int>(robot), analysis->profile);
-        addDoubts(static_cast<int>(robot), *analysis);
     }
+    if (m_scene)
+        addStretches();
     std::stable_sort(m_rows.begin(), m_rows.end(),
                      [](const Row &a, const Row &b) { return a.spike.time < b.spike.time; });
     endResetModel();
@@ -47,30 +48,37 @@ void SpikeModel::addUsedByHand(int robot, const Profile &profile)
     }
 }
 
-void SpikeModel::addDoubts(int robot, const AnalysisRecord &analysis)
+void SpikeModel::addStretches()
 {
-    for (const DoubtfulName &doubt : analysis.doubtfulNames) {
+    for (DoubtfulStretch &stretch : doubtfulStretches(*m_scene)) {
         // At a frame, where the time line stands when it is chosen.
-        const auto frame = m_scene->views.empty() ? std::nullopt : m_scene->frameAt(0, doubt.from);
+        const auto frame = m_scene->views.empty() ? std::nullopt : m_scene->frameAt(0, stretch.span.begin);
         Row &row = m_rows.emplace_back();
-        row.robot = robot;
+        row.robot = static_cast<int>(stretch.robot);
         row.spike.sampleIndex = -1;
-        row.spike.time = frame ? m_scene->timeOf(0, *frame) : doubt.from;
-        row.doubt = doubt;
+        row.spike.time = frame ? m_scene->timeOf(0, *frame) : stretch.span.begin;
+        row.stretch = std::move(stretch);
     }
+}
+
+qsizetype SpikeModel::stretchesOf(DoubtfulStretch::Kind kind) const
+{
+    return std::ranges::count_if(m_rows, [kind](const Row &row) { return row.stretch && row.stretch->kind == kind; });
 }
 
 QString SpikeModel::summary() const
 {
-    const auto doubtful = std::ranges::count_if(m_rows, [](const Row &row) { return row.doubt.has_value(); });
+    const qsizetype doubtful = stretchesOf(DoubtfulStretch::Kind::Name), hidden = stretchesOf(DoubtfulStretch::Kind::Occlusion);
     const auto restored =
         std::count_if(m_rows.begin(), m_rows.end(), [](const Row &row) { return row.restored; });
-    const auto flagged = static_cast<qsizetype>(m_rows.size()) - restored - doubtful;
+    const auto flagged = static_cast<qsizetype>(m_rows.size()) - restored - doubtful - hidden;
     QString text = flagged == 0 ? tr("none") : tr("%1 flagged").arg(flagged);
     if (restored > 0)
         text += QStringLiteral(" · ") + tr("%1 restored").arg(restored);
     if (doubtful > 0)
         text += QStringLiteral(" · ") + tr("%1 doubtful").arg(doubtful);
+    if (hidden > 0)
+        text += QStringLiteral(" · ") + tr("%1 hidden").arg(hidden);
     return text;
 }
 
@@ -80,16 +88,16 @@ QVariant SpikeModel::display(const Row &row, int column) const
     case TimeColumn:
         return secondsText(row.spike.time);
     case ReasonColumn: {
-        if (row.doubt)
-            return tr("Which robot? Until %1").arg(secondsText(row.doubt->to));
-        const QString reason = shownWords(row.spike.reason);
+        if (row.stretch)
+            return row.stretch->reason;
+        const QString reason = shownWords(reasonAmong(m_scene->robots[static_cast<std::size_t>(row.robot)].occlusions, row.spike));
         if (reason.isEmpty())
             return tr("used, by hand");
         return row.restored ? tr("%1 (restored by hand)").arg(reason) : reason;
     }
     case StateColumn:
-        if (row.doubt)
-            return QStringLiteral("?");
+        if (row.stretch)
+            return row.stretch->kind == DoubtfulStretch::Kind::Name ? QStringLiteral("?") : QStringLiteral("◐");
         return row.restored ? QStringLiteral("↺") : QStringLiteral("⚑");
     default:
         return {};
@@ -104,8 +112,8 @@ QVariant SpikeModel::cell(int index, int column, int role) const
         return display(row, column);
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole:
-        if (row.doubt && column != TimeColumn)
-            return doubtWords(*m_scene, static_cast<std::size_t>(row.robot), *row.doubt);
+        if (row.stretch && column != TimeColumn)
+            return row.stretch->sentence;
         if (column == StateColumn) {
             if (row.restored)
                 return tr("Restored by hand");

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/models/doubtful_stretches.h"
 #include "ui/models/row_table_model.h"
-#include "ui/models/trial_scene.h"
 
 #include <optional>
 
 namespace odo {
 
-/// The spikes of all robots of a trial, and the stretches in which it is doubtful which robot one is, in order of time.
+/// The spikes of all robots of a trial, and the stretches in which less than usual is known of one, in order of time.
 class SpikeModel : public RowTableModel
 {
     Q_OBJECT
@@ -16,7 +16,7 @@ public:
     enum Columns { TimeColumn, ReasonColumn, StateColumn, ColumnCount };
     enum Roles {
         TimeRole = Qt::UserRole, ///< qint64 nanoseconds
-        SampleIndexRole,         ///< qint64; −1 of a doubt
+        SampleIndexRole,         ///< qint64; −1 of a stretch
         RobotRole,               ///< int, index into TrialScene::robots
         FlagsRole,               ///< uint
         RestoredRole,            ///< bool: a person lifted the flag
@@ -25,7 +25,7 @@ public:
 
     explicit SpikeModel(QObject *parent = nullptr);
     void setScene(TrialScenePtr scene);
-    /// "3 flagged · 1 restored · 2 doubtful"
+    /// "3 flagged · 1 restored · 2 doubtful · 1 hidden"
     QString summary() const;
 
 private:
@@ -37,9 +37,10 @@ private:
         int robot = 0;
         Spike spike;
         bool restored = false;
-        std::optional<DoubtfulName> doubt = {}; ///< then the spike is its beginning alone
+        std::optional<DoubtfulStretch> stretch = {}; ///< then the spike is its beginning alone
     };
-    void addDoubts(int robot, const AnalysisRecord &analysis);
+    void addStretches();
+    qsizetype stretchesOf(DoubtfulStretch::Kind kind) const;
     void addUsedByHand(int robot, const Profile &profile);
     QVariant display(const Row &row, int column) const;
 

@@ -6,8 +6,6 @@
 #include "core/trajectory/view_clock.h"
 #include "core/workflow/imported_tracks.h"
 #include "core/workflow/registered_view.h"
-#include "core/workflow/track_warnings.h"
-#include "ui/models/core_words.h"
 
 #include <algorithm>
 
@@ -102,6 +100,21 @@ std::vector<RecordId> robotsOf(const TrialRecord &trial, const std::vector<Analy
             robots.push_back(analysis.robot);
     }
     return robots;
+}
+
+void findOcclusionsIn(TrialScene &scene)
+{
+    std::vector<OcclusionView> views;
+    std::vector<OcclusionRobot> robots;
+    for (const SceneView &view : scene.views)
+        views.push_back({view.camera, view.floorView ? &*view.floorView : nullptr, clockOf(view)});
+    for (const SceneRobot &one : scene.robots) {
+        OcclusionRobot &robot = robots.emplace_back(OcclusionRobot{one.robot.name, one.analysis ? &one.analysis->profile : nullptr, {}});
+        robot.observations.assign(one.observations.begin(), one.observations.end());
+    }
+    auto found = findOcclusions(views, robots);
+    for (std::size_t r = 0; r < found.size(); ++r)
+        scene.robots[r].occlusions = std::move(found[r]);
 }
 
 /// The times of all samples: Sample::frame counts them.
@@ -215,12 +228,6 @@ std::optional<Eigen::Vector2d> TrialScene::marker(const std::string &label) cons
     return std::nullopt;
 }
 
-QString doubtWords(const TrialScene &scene, std::size_t robot, const DoubtfulName &doubt)
-{
-    const std::string &name = scene.robots.at(robot).robot.name;
-    return joinedWords(QString::fromStdString(name), shownWords(doubtfulNamesSentence({&doubt, 1}, name)));
-}
-
 Result<TrialScenePtr> loadTrialScene(Project &project, const std::string &trialName)
 {
     auto scene = std::make_shared<TrialScene>();
@@ -250,6 +257,7 @@ Result<TrialScenePtr> loadTrialScene(Project &project, const std::string &trialN
             return passOn(robot);
         scene->robots.push_back(std::move(*robot));
     }
+    findOcclusionsIn(*scene);
     auto pointedOut = project.trials().pointedOut(scene->trial.id);
     if (!pointedOut)
         return passOn(pointedOut);

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/geometry/floor_view.h"
 #include "core/project/records.h"
+#include "core/trajectory/occlusions.h"
 #include "core/trajectory/scoring.h"
 
 #include <Eigen/Geometry>
@@ -36,6 +37,7 @@ struct SceneRobot
     RobotRecord robot;
     std::optional<AnalysisRecord> analysis;             ///< the newest; empty: not tracked yet
     std::vector<std::vector<Observation>> observations; ///< one list a view, in order of frames; may be empty
+    std::vector<Occlusion> occlusions;                  ///< when which view did not measure all of it, in order of time
 };
 
 /// Everything that Review shows of one trial: an immutable value, made on the project's thread and safe to
@@ -74,9 +76,6 @@ struct TrialScene
 };
 
 using TrialScenePtr = std::shared_ptr<const TrialScene>;
-
-/// "Blue 1: from 3.20 s to 3.90 s it is doubtful whether this is Blue 1 or Blue 2", as it is shown.
-QString doubtWords(const TrialScene &scene, std::size_t robot, const DoubtfulName &doubt);
 
 /// Reads a trial on the project's thread. The registrations are those of the analysis, or else those in
 /// force. Errors: NotFound with the names there are; those of the repositories.

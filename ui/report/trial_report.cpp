@@ -5,6 +5,7 @@
 #include "core/workflow/track_warnings.h"
 #include "core/workflow/trial_scores.h"
 #include "ui/models/core_words.h"
+#include "ui/models/doubtful_stretches.h"
 #include "ui/models/metric_choice.h"
 #include "ui/models/score_text.h"
 #include "ui/models/shown_team.h"
@@ -66,6 +67,7 @@ private:
     void paintEvents(const QRectF &rect);
     void paintSplits(const QRectF &rect);
     void paintMetrics(const QRectF &rect);
+    QStringList doubts() const;
     void paintRemarks(const QRectF &rect);
 
     QPainter &m_painter;
@@ -211,15 +213,36 @@ void TrialPage::paintTables(const QRectF &rect)
     paintMetrics(tables.metrics);
 }
 
-/// When it is doubtful which robot this is, and the notes, or lines for a pen where there are none.
+/// When it is doubtful which robot this is, and when it was hidden: those that last longest, for there is little room.
+QStringList TrialPage::doubts() const
+{
+    QStringList sentences;
+    if (!m_analysis)
+        return sentences;
+    const SceneRobot &robot = m_scene.robots[m_robot];
+    if (!m_analysis->doubtfulNames.empty())
+        sentences << fullSentence(shownWords(doubtfulNamesSentence(m_analysis->doubtfulNames, robot.robot.name)));
+    constexpr std::size_t most = 2;
+    std::vector<Occlusion> longest = robot.occlusions;
+    std::ranges::stable_sort(longest, std::ranges::greater(), [](const Occlusion &one) { return one.span.end - one.span.begin; });
+    longest.resize(std::min(longest.size(), most));
+    QStringList hidden;
+    for (const Occlusion &one : longest)
+        hidden << occlusionText(one);
+    if (robot.occlusions.size() > most)
+        hidden << TrialReportWords::tr("%1 times in all").arg(robot.occlusions.size());
+    if (!hidden.isEmpty())
+        sentences << fullSentence(hidden.join(QStringLiteral("; ")));
+    return sentences;
+}
+
+/// Doubts, and the notes, or lines for a pen where there are none.
 void TrialPage::paintRemarks(const QRectF &rect)
 {
     QRectF room = drawPartTitle(m_painter, rect, TrialReportWords::tr("Remarks"));
-    if (m_analysis && !m_analysis->doubtfulNames.empty()) {
-        const QString words = shownWords(doubtfulNamesSentence(m_analysis->doubtfulNames, m_scene.robots[m_robot].robot.name));
-        room.setTop(room.top() + drawParagraph(m_painter, room, literalName(fullSentence(words)), reportFont(smallSize + 1),
+    for (const QString &sentence : doubts())
+        room.setTop(room.top() + drawParagraph(m_painter, room, literalName(sentence), reportFont(smallSize + 1),
                                                ThemeColours::of(reportPalette()).spike));
-    }
     if (!m_scene.trial.notes.empty()) {
         drawParagraph(m_painter, room, literalName(m_scene.trial.notes), reportFont(smallSize + 1),
                       ThemeColours::of(reportPalette()).text);

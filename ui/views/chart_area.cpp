@@ -8,9 +8,10 @@
 #include "ui/views/theme.h"
 
 #include <QApplication>
-#include <QEvent>
+#include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -45,6 +46,7 @@ void ChartArea::forget()
 void ChartArea::setScene(TrialScenePtr scene)
 {
     m_scene = std::move(scene);
+    m_stretches = m_scene ? doubtfulStretches(*m_scene) : std::vector<DoubtfulStretch>();
     m_fit.reset();
     rebuild();
 }
@@ -96,7 +98,17 @@ void ChartArea::drawStill(QPainter &painter) const
 {
     const bool isTime = m_span.against() == ChartSpan::Against::Time;
     drawChartAxes(painter, plot(), isTime ? ShownUnit{QStringLiteral("s"), 1} : shownUnits().distance, font(), palette());
+    drawStretches(painter);
     m_maker->curves().draw(painter, plot(), palette());
+}
+
+void ChartArea::drawStretches(QPainter &painter) const
+{
+    for (const DoubtfulStretch &one : m_stretches) {
+        const double from = m_span.placeOf(one.robot, one.span.begin), to = m_span.placeOf(one.robot, one.span.end);
+        if (from <= m_span.high() && to >= m_span.low())
+            drawChartDoubt(painter, plot(), from, to, one.kind == DoubtfulStretch::Kind::Name, palette());
+    }
 }
 
 void ChartArea::drawFit(QPainter &painter) const
@@ -124,6 +136,21 @@ void ChartArea::drawCursor(QPainter &painter) const
         m_bubbles->add(value.bubble, [scene = m_scene, quantity = m_quantity, now, value] {
             return explainCurve(*scene, value.robot, quantity, now, value.text);
         });
+}
+
+bool ChartArea::event(QEvent *event)
+{
+    if (event->type() != QEvent::ToolTip)
+        return QWidget::event(event);
+    constexpr int reachPx = 3;
+    const auto *help = static_cast<QHelpEvent *>(event);
+    const Nanoseconds time = timeAt(help->pos().x());
+    const QString words = plotRect().contains(help->pos()) ? doubtfulWordsAt(m_stretches, time, timeAt(help->pos().x() + reachPx) - time) : QString();
+    if (words.isEmpty())
+        QToolTip::hideText();
+    else
+        QToolTip::showText(help->globalPos(), words, this);
+    return true;
 }
 
 void ChartArea::paintEvent(QPaintEvent *)

@@ -3,7 +3,7 @@
 
 #include "core/base/time_span.h"
 #include "core/trajectory/curve_fit.h"
-#include "ui/models/trial_scene.h"
+#include "ui/models/doubtful_stretches.h"
 #include "ui/views/chart_painting.h"
 #include "ui/views/curve_maker.h"
 #include "ui/views/still_layer.h"
@@ -28,7 +28,7 @@ struct FitOverlay
 
 /// The plot of one quantity; inside ProfileChart. A click goes to a time, a drag selects a range; the wheel
 /// shows more or less, with Shift or the middle button what lies beside it; a double click shows all; a bubble tells how its
-/// value was computed. What
+/// value was computed. Stretches in which less than usual is known of a robot are shaded, with words where the mouse rests. What
 /// does not change with the time is kept as a picture, so that moving the cursor costs a copy. Raster only.
 class ChartArea : public QWidget
 {
@@ -54,6 +54,7 @@ Q_SIGNALS:
     void settled();
 
 protected:
+    bool event(QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     void changeEvent(QEvent *event) override;
@@ -70,6 +71,7 @@ private:
     QRectF plotRect() const;
     ChartPlot plot() const;
     void drawStill(QPainter &painter) const;
+    void drawStretches(QPainter &painter) const;
     void drawFit(QPainter &painter) const;
     void drawCursor(QPainter &painter) const;
     Nanoseconds timeAt(double x) const;
@@ -79,6 +81,7 @@ private:
     Quantity m_quantity;
     ChartBubbles *m_bubbles;
     TrialScenePtr m_scene;
+    std::vector<DoubtfulStretch> m_stretches; ///< of the scene
     CurveMaker *m_maker;
     std::optional<FitOverlay> m_fit;
     AxisTicks m_valueTicks;

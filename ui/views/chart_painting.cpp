@@ -71,6 +71,16 @@ void drawChartRange(QPainter &painter, const ChartPlot &plot, double from, doubl
             painter.drawLine(QPointF(x, plot.rect.top()), QPointF(x, plot.rect.bottom()));
 }
 
+void drawChartDoubt(QPainter &painter, const ChartPlot &plot, double from, double to, bool isHatched, const QPalette &palette)
+{
+    constexpr double leastWidth = 2;
+    const double left = plot.at(from, 0).x(), right = std::max(plot.at(to, 0).x(), left + leastWidth);
+    QColor shade = isHatched ? ThemeColours::of(palette).spike : ThemeColours::of(palette).muted;
+    shade.setAlpha(isHatched ? 90 : 48);
+    painter.fillRect(QRectF(QPointF(left, plot.rect.top()), QPointF(right, plot.rect.bottom())).intersected(plot.rect),
+                     QBrush(shade, isHatched ? Qt::BDiagPattern : Qt::SolidPattern));
+}
+
 void drawChartSpikes(QPainter &painter, const ChartPlot &plot, const QList<QPointF> &spikes,
                      const QPalette &palette)
 {

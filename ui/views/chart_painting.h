@@ -47,6 +47,9 @@ void drawChartCursor(QPainter &painter, const ChartPlot &plot, double x, const Q
 void drawChartRange(QPainter &painter, const ChartPlot &plot, double from, double to,
                     const QPalette &palette);
 
+/// A quiet shade from one place to another in which less than usual is known; hatched: it is doubtful which robot it is.
+void drawChartDoubt(QPainter &painter, const ChartPlot &plot, double from, double to, bool isHatched, const QPalette &palette);
+
 /// A triangle for each spike that is visible; one beyond the axis at the left stands at its end, for every
 /// spike is to be seen.
 void drawChartSpikes(QPainter &painter, const ChartPlot &plot, const QList<QPointF> &spikes,

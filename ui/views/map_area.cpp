@@ -9,9 +9,11 @@
 #include "ui/views/trail_painting.h"
 #include "ui/views/trial_map.h"
 
+#include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QStringList>
+#include <QToolTip>
 #include <algorithm>
 
 namespace odo {
@@ -32,6 +34,7 @@ void MapArea::setScene(TrialScenePtr scene)
 {
     m_scene = std::move(scene);
     m_floor = {};
+    m_stretches = m_scene ? doubtfulStretches(*m_scene) : std::vector<DoubtfulStretch>();
     setDisagreements({});
     if (m_scene) {
         m_bounds = m_scene->floorBounds();
@@ -142,29 +145,48 @@ void MapArea::paintEvent(QPaintEvent *)
     drawChartFocus(painter, *this);
 }
 
-void MapArea::mousePressEvent(QMouseEvent *event)
+std::optional<Nanoseconds> MapArea::timeNear(const QPointF &place) const
 {
-    if (!m_scene || event->button() != Qt::LeftButton)
-        return;
     constexpr double reachPx = 20;
     double nearest = reachPx;
     std::optional<Nanoseconds> time;
-    for (const SceneRobot &robot : m_scene->robots) {
-        for (std::size_t i = 0; robot.analysis && i < robot.analysis->profile.points.size(); ++i) {
-            const ProfilePoint &point = robot.analysis->profile.points[i];
+    for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot) {
+        const auto &analysis = m_scene->robots[robot].analysis;
+        for (std::size_t i = 0; analysis && i < analysis->profile.points.size(); ++i) {
+            const ProfilePoint &point = analysis->profile.points[i];
             if (!point.valid)
                 continue;
-            const double apart = QLineF(fromWorld(point.position), event->position()).length();
+            const double apart = QLineF(fromWorld(point.position), place).length();
             if (apart < nearest) {
                 nearest = apart;
-                time = robot.analysis->profile.samples[i].time;
+                time = analysis->profile.samples[i].time;
             }
         }
     }
+    return time;
+}
+
+void MapArea::mousePressEvent(QMouseEvent *event)
+{
+    const auto time = event->button() == Qt::LeftButton ? timeNear(event->position()) : std::nullopt;
     if (time) {
         m_timeline.pause();
         m_timeline.setCurrentTime(*time);
     }
+}
+
+bool MapArea::event(QEvent *event)
+{
+    if (event->type() != QEvent::ToolTip)
+        return MapCanvas::event(event);
+    const auto *help = static_cast<QHelpEvent *>(event);
+    const auto time = timeNear(help->pos());
+    const QString words = time ? doubtfulWordsAt(m_stretches, *time) : QString();
+    if (words.isEmpty())
+        QToolTip::hideText();
+    else
+        QToolTip::showText(help->globalPos(), words, this);
+    return true;
 }
 
 } // namespace odo

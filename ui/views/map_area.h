@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/models/doubtful_stretches.h"
 #include "ui/models/scene_disagreement.h"
-#include "ui/models/trial_scene.h"
 #include "ui/views/floor_picture.h"
 #include "ui/views/map_canvas.h"
 #include "ui/views/map_painting.h"
@@ -17,7 +17,8 @@ enum class MapColouring {
     Disagreement, ///< of the views: a dot a frame
 };
 
-/// The floor from above; inside FloorMap. A click on a trail goes to the time when the robot was there.
+/// The floor from above; inside FloorMap. A click on a trail goes to the time when the robot was there. A haze lies where less than usual is known of
+/// a robot, with words where the mouse rests.
 class MapArea : public MapCanvas
 {
     Q_OBJECT
@@ -38,11 +39,14 @@ Q_SIGNALS:
     void settled();
 
 protected:
+    bool event(QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
 
 private:
+    /// When a robot was nearest to a place; nullopt where none came near.
+    std::optional<Nanoseconds> timeNear(const QPointF &place) const;
     MapPlan plan() const;
     void paintStill(QPainter &painter) const override;
     void paintDisagreements(QPainter &painter) const;
@@ -51,6 +55,7 @@ private:
     Timeline &m_timeline;
     FloorPictureMaker m_maker;
     TrialScenePtr m_scene;
+    std::vector<DoubtfulStretch> m_stretches; ///< of the scene
     Eigen::AlignedBox2d m_bounds; ///< of the floor that must be seen
     double m_topSpeedMps = 0;     ///< end of the colour scale
     FloorPicture m_floor;

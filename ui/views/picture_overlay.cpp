@@ -2,6 +2,7 @@
 #include "ui/views/picture_overlay.h"
 
 #include "ui/models/core_words.h"
+#include "ui/models/profile_place.h"
 #include "ui/views/axis_ticks.h"
 #include "ui/views/halo_text.h"
 #include "ui/views/robot_colours.h"
@@ -66,10 +67,10 @@ const Spike *spikeAt(const Profile &profile, Nanoseconds time)
     return spike == profile.spikes.end() ? nullptr : &*spike;
 }
 
-void paintSpike(QPainter &painter, const QPointF &top, const Spike &spike)
+void paintSpike(QPainter &painter, const QPointF &top, const QString &reason)
 {
     const QPolygonF triangle({top + QPointF(-6, -4), top + QPointF(6, -4), top + QPointF(0, -15)});
-    drawTag(painter, top + QPointF(11, -10), shownWords(spike.reason), spikeColour,
+    drawTag(painter, top + QPointF(11, -10), reason, spikeColour,
             painter.clipBoundingRect());
     painter.setPen(QPen(QColor(0, 0, 0, 170), 1));
     painter.setBrush(spikeColour);
@@ -206,6 +207,20 @@ QColor colourOf(const TrialScene &scene, std::size_t robot, const RobotLook &loo
     return look.colour ? *look.colour : colourOnPicture(colourPlaces(scene)[robot]);
 }
 
+/// Where a robot must be that this view does not show, and why it does not.
+void paintHidden(QPainter &painter, const TrialScene &scene, std::size_t view, std::size_t robot, Nanoseconds time, const PictureMap &map, const QColor &colour)
+{
+    const SceneRobot &its = scene.robots[robot];
+    const auto hidden = std::ranges::find_if(its.occlusions, [&](const Occlusion &one) { return one.view == scene.views[view].camera && one.span.contains(time); });
+    const std::ptrdiff_t index = hidden == its.occlusions.end() ? -1 : pointIndexAt(its.analysis->profile, time);
+    const auto &floorView = scene.views[view].floorView;
+    if (index < 0 || !floorView)
+        return;
+    const Profile &profile = its.analysis->profile;
+    if (const auto at = seen(*floorView, profile.points[static_cast<std::size_t>(index)].position, silhouettePlaneM(profile.heightM), map))
+        drawTag(painter, *at, joinedWords(QString::fromStdString(its.robot.name), shownWords(occlusionWords(*hidden))), colour, painter.clipBoundingRect());
+}
+
 } // namespace
 
 void paintFloor(QPainter &painter, const TrialScene &scene, std::size_t view, const PictureMap &map, const RobotLook &look)
@@ -223,8 +238,10 @@ void paintRobot(QPainter &painter, const TrialScene &scene, std::size_t view, st
                 std::int64_t frame, const PictureMap &map, const RobotLook &look)
 {
     const Observation *observation = scene.observationAt(view, robot, frame);
-    if (!observation)
+    if (!observation) {
+        paintHidden(painter, scene, view, robot, scene.timeOf(view, frame), map, colourOf(scene, robot, look));
         return;
+    }
     const QPointF top = paintOutline(painter, *observation, QString::fromStdString(scene.robots[robot].robot.name), colourOf(scene, robot, look),
                                      map, look.withOutlines);
     const auto &analysis = scene.robots[robot].analysis;
@@ -234,7 +251,7 @@ void paintRobot(QPainter &painter, const TrialScene &scene, std::size_t view, st
     const auto first = scene.frameAt(0, time);
     const Nanoseconds sampleTime = first ? scene.frameTimes()[static_cast<std::size_t>(*first)] : time;
     if (const Spike *spike = spikeAt(analysis->profile, sampleTime))
-        paintSpike(painter, top, *spike);
+        paintSpike(painter, top, shownWords(reasonAmong(scene.robots[robot].occlusions, *spike)));
 }
 
 } // namespace odo

@@ -48,8 +48,8 @@ struct RobotLook
 /// What does not move in a picture: the floor's grid, the trails of all robots, and the axes. Nothing where the view is not
 /// registered.
 void paintFloor(QPainter &painter, const TrialScene &scene, std::size_t view, const PictureMap &map, const RobotLook &look = {});
-/// The outline of what was taken for the robot in a frame of this view, its name, and the reason when it is a spike; nothing where it was not
-/// found.
+/// The outline of what was taken for the robot in a frame of this view, its name, and the reason when it is a spike. Where it was not found
+/// because it was hidden: its name and the reason at the place where it must be; otherwise nothing.
 void paintRobot(QPainter &painter, const TrialScene &scene, std::size_t view, std::size_t robot,
                 std::int64_t frame, const PictureMap &map, const RobotLook &look = {});
 

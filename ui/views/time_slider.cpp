@@ -8,7 +8,6 @@
 #include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QStringList>
 #include <QToolTip>
 
 namespace odo {
@@ -46,6 +45,7 @@ TimeSlider::TimeSlider(Timeline &timeline, QWidget *parent) : QAbstractSlider(pa
 void TimeSlider::setScene(TrialScenePtr scene)
 {
     m_scene = std::move(scene);
+    m_stretches = m_scene ? doubtfulStretches(*m_scene) : std::vector<DoubtfulStretch>();
     update();
 }
 
@@ -72,9 +72,7 @@ double TimeSlider::xOf(Nanoseconds time) const
 
 void TimeSlider::goTo(double x)
 {
-    const double part = std::clamp((x - sliderMargin) / std::max(1.0, width() - 2 * sliderMargin), 0.0, 1.0);
-    m_timeline.setCurrentTime(m_timeline.startTime() +
-                              fromSeconds(part * toSeconds(m_timeline.endTime() - m_timeline.startTime())));
+    m_timeline.setCurrentTime(std::clamp(timeAt(x), m_timeline.startTime(), m_timeline.endTime()));
 }
 
 void TimeSlider::mousePressEvent(QMouseEvent *event)
@@ -133,35 +131,23 @@ void TimeSlider::paintSpikes(QPainter &painter, double y) const
     }
 }
 
-void TimeSlider::paintDoubts(QPainter &painter, double y) const
+void TimeSlider::paintStretches(QPainter &painter, double y) const
 {
     constexpr double height = 5, leastWidth = 5;
+    const ThemeColours colours = ThemeColours::of(palette());
     painter.setPen(Qt::NoPen);
-    painter.setBrush(QBrush(ThemeColours::of(palette()).spike, Qt::Dense3Pattern));
-    for (const SceneRobot &robot : m_scene->robots) {
-        if (!robot.analysis)
-            continue;
-        for (const DoubtfulName &doubt : robot.analysis->doubtfulNames) {
-            const double left = std::clamp(xOf(doubt.from), 0.0, double(width())), right = std::clamp(xOf(doubt.to), 0.0, double(width())), more = std::max(0.0, leastWidth - (right - left)) / 2;
-            painter.drawRect(QRectF(left - more, y + 2, right - left + 2 * more, height));
-        }
+    for (const DoubtfulStretch &one : m_stretches) {
+        painter.setBrush(one.kind == DoubtfulStretch::Kind::Name ? QBrush(colours.spike, Qt::Dense3Pattern) : QBrush(colours.field));
+        const double left = std::clamp(xOf(one.span.begin), 0.0, double(width())), right = std::clamp(xOf(one.span.end), 0.0, double(width()));
+        const double more = std::max(0.0, leastWidth - (right - left)) / 2;
+        painter.drawRect(QRectF(left - more, y + 2, right - left + 2 * more, height));
     }
 }
 
-/// Of all robots; empty: there are none.
-QString TimeSlider::doubtsAt(double x) const
+Nanoseconds TimeSlider::timeAt(double x) const
 {
-    constexpr double reach = 4;
-    QStringList words;
-    for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot) {
-        const auto &analysis = m_scene->robots[robot].analysis;
-        if (!analysis)
-            continue;
-        for (const DoubtfulName &doubt : analysis->doubtfulNames)
-            if (x >= xOf(doubt.from) - reach && x <= xOf(doubt.to) + reach)
-                words << doubtWords(*m_scene, robot, doubt).toHtmlEscaped();
-    }
-    return words.join(QStringLiteral("<br>"));
+    const double part = (x - sliderMargin) / std::max(1.0, width() - 2 * sliderMargin);
+    return m_timeline.startTime() + fromSeconds(part * toSeconds(m_timeline.endTime() - m_timeline.startTime()));
 }
 
 bool TimeSlider::event(QEvent *event)
@@ -169,11 +155,13 @@ bool TimeSlider::event(QEvent *event)
     if (event->type() != QEvent::ToolTip)
         return QAbstractSlider::event(event);
     const auto *help = static_cast<QHelpEvent *>(event);
-    const QString words = doubtsAt(help->pos().x());
+    constexpr double reachPx = 4;
+    const double x = help->pos().x();
+    const QString words = doubtfulWordsAt(m_stretches, timeAt(x), timeAt(x + reachPx) - timeAt(x));
     if (words.isEmpty())
         QToolTip::hideText();
     else
-        QToolTip::showText(help->globalPos(), QStringLiteral("<p>%1</p>").arg(words), this);
+        QToolTip::showText(help->globalPos(), words, this);
     return true;
 }
 
@@ -208,7 +196,7 @@ void TimeSlider::paintEvent(QPaintEvent *)
     paintSelection(painter, y);
     paintSeconds(painter, y + handleRadius + 2);
     if (m_scene) {
-        paintDoubts(painter, y - handleRadius - 8);
+        paintStretches(painter, y - handleRadius - 8);
         paintSpikes(painter, y - handleRadius - 8);
     }
     if (hasFocus()) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/models/trial_scene.h"
+#include "ui/models/doubtful_stretches.h"
 
 #include <QAbstractSlider>
 
@@ -9,8 +9,8 @@ namespace odo {
 
 class Timeline;
 
-/// The slider of the time line: value = frame; spikes as triangles above the groove, stretches in which it is doubtful which
-/// robot one is as bars there, with words where the mouse rests; seconds below it.
+/// The slider of the time line: value = frame; spikes as triangles above the groove, stretches in which less than usual is known of a robot
+/// as bars there (hatched: which one it is), with words where the mouse rests; seconds below it.
 class TimeSlider : public QAbstractSlider
 {
     Q_OBJECT
@@ -32,16 +32,17 @@ protected:
     void wheelEvent(QWheelEvent *event) override;
 
 private:
+    Nanoseconds timeAt(double x) const; ///< may lie before the start or after the end
     void goTo(double x);
     void paintSeconds(QPainter &painter, double y) const;
     void paintSelection(QPainter &painter, double y) const;
     void paintSpikes(QPainter &painter, double y) const;
-    void paintDoubts(QPainter &painter, double y) const;
-    QString doubtsAt(double x) const;
+    void paintStretches(QPainter &painter, double y) const;
     double grooveY() const;
 
     Timeline &m_timeline;
     TrialScenePtr m_scene;
+    std::vector<DoubtfulStretch> m_stretches; ///< of the scene
 };
 
 } // namespace odo

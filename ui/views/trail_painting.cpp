@@ -2,7 +2,7 @@
 #include "ui/views/trail_painting.h"
 
 #include "ui/models/shown_units.h"
-#include "ui/models/trial_scene.h"
+#include "ui/models/doubtful_stretches.h"
 #include "ui/views/simplified_line.h"
 #include "ui/views/theme.h"
 
@@ -83,6 +83,23 @@ void drawSpeedTrail(QPainter &painter, const MapPlan &plan, const Profile &profi
         piece.add(plan.fromWorld(point.position));
     }
     drawPiece();
+}
+
+void drawMapDoubts(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const QPalette &palette)
+{
+    constexpr double width = 14;
+    QColor haze = ThemeColours::of(palette).muted;
+    haze.setAlpha(90);
+    for (const DoubtfulStretch &one : doubtfulStretches(scene)) {
+        const Profile &profile = scene.robots[one.robot].analysis->profile;
+        LineSimplifier way(tolerancePx);
+        for (auto i = std::ranges::lower_bound(profile.samples, one.span.begin, {}, &Sample::time) - profile.samples.begin();
+             i < std::ssize(profile.points) && profile.samples[std::size_t(i)].time <= one.span.end; ++i)
+            if (profile.points[std::size_t(i)].valid)
+                way.add(plan.fromWorld(profile.points[std::size_t(i)].position));
+        painter.setPen(QPen(haze, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.drawPolyline(way.take());
+    }
 }
 
 void drawMapSpikes(QPainter &painter, const MapPlan &plan, const Profile &profile, const QPalette &palette)

@@ -16,6 +16,8 @@ double topSpeedMps(const TrialScene &scene);
 /// from any floor. Gaps stay open.
 void drawSpeedTrail(QPainter &painter, const MapPlan &plan, const Profile &profile, double topMps,
                     const QPalette &palette);
+/// A haze under the trail where less than usual is known of a robot.
+void drawMapDoubts(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const QPalette &palette);
 /// A triangle where each spike was measured, or else where the curve is then.
 void drawMapSpikes(QPainter &painter, const MapPlan &plan, const Profile &profile, const QPalette &palette);
 

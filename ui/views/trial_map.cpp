@@ -42,6 +42,7 @@ void drawMapGround(QPainter &painter, const MapPlan &plan, const TrialScene &sce
         drawReferencePath(
             painter, scene.task->path, [&plan](const Eigen::Vector2d &point) { return plan.fromWorld(point); },
             palette);
+    drawMapDoubts(painter, plan, scene, palette);
 }
 
 void drawMapMarks(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const QPalette &palette)

@@ -18,7 +18,7 @@ struct FloorPicture;
 /// the task's zones.
 void drawMapFloor(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const FloorPicture &floor,
                   double opacity, const QPalette &palette);
-/// That, and the task's path.
+/// That, the task's path, and a haze where less than usual is known of a robot.
 void drawMapGround(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const FloorPicture &floor,
                    const QPalette &palette);
 /// Gates and spikes.

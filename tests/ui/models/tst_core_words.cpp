@@ -13,6 +13,7 @@
 #include "core/capture/setup_checks.h"
 #include "core/exchange/roster_csv.h"
 #include "core/project/project.h"
+#include "core/trajectory/occlusions.h"
 #include "core/trajectory/spike_flags.h"
 #include "core/trajectory/unseen_stretches.h"
 #include "core/video/video_reader.h"
@@ -192,6 +193,14 @@ std::vector<std::string> spikeReasons()
     std::vector<std::string> words;
     for (const Spike &spike : describeSpikes(track, points, Nanoseconds(1'000'000'000)))
         words.push_back(spike.reason);
+    return words;
+}
+
+std::vector<std::string> occlusionReasons()
+{
+    std::vector<std::string> words;
+    for (int cause = 0; cause <= int(OcclusionCause::OutlineTooLarge); ++cause)
+        words.push_back(occlusionWords({{}, OcclusionCause(cause), "Hall", "Left"}));
     return words;
 }
 
@@ -399,7 +408,7 @@ void TestCoreWords::inEnglishNothingChanges()
 {
     QLocale::setDefault(QLocale(QLocale::German)); // of dates and of numbers, not of words
     for (const auto &sentences :
-         {setupWords(), healthSentences(), spikeReasons(), analysisSentences(), lensVerdicts(), floorWords(), errorSentences()})
+         {setupWords(), healthSentences(), spikeReasons(), occlusionReasons(), analysisSentences(), lensVerdicts(), floorWords(), errorSentences()})
         for (const std::string &each : sentences)
             QCOMPARE(shownWords(each), QString::fromStdString(each));
     for (const CorePattern &pattern : corePatterns())
@@ -427,6 +436,7 @@ void TestCoreWords::whatCoreSaysIsKnown_data()
     QTest::newRow("set-up doctor") << setupWords();
     QTest::newRow("health") << healthSentences();
     QTest::newRow("spikes") << spikeReasons();
+    QTest::newRow("occlusions") << occlusionReasons();
     QTest::newRow("analyses") << analysisSentences();
     QTest::newRow("lenses") << lensVerdicts();
     QTest::newRow("floor") << floorWords();

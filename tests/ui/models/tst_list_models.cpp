@@ -138,6 +138,23 @@ private Q_SLOTS:
         QCOMPARE(doubt.data(SpikeModel::SampleIndexRole).toLongLong(), -1);
         QCOMPARE(model.index(1, SpikeModel::TimeColumn).data().toString(), QStringLiteral("3.40\u00a0s"));
     }
+    void spikesAndHiddenRobots()
+    {
+        using namespace std::chrono_literals;
+        SpikeModel model;
+        QAbstractItemModelTester tester(&model, strict);
+        auto scene = std::make_shared<TrialScene>(*exampleScene({.frames = 300}));
+        scene->robots[0].occlusions = {{{3405ms, 4200ms}, OcclusionCause::HiddenBehind, "A", "Blue 1"}};
+        scene->robots[0].analysis->profile.spikes[1].time = 3500ms;
+        model.setScene(scene);
+        QCOMPARE(model.summary(), QStringLiteral("2 flagged · 1 restored · 1 hidden"));
+        const QModelIndex hidden = model.index(1, SpikeModel::ReasonColumn);
+        QCOMPARE(hidden.data().toString(), QStringLiteral("hidden behind Blue 1 in view A"));
+        QCOMPARE(hidden.data(Qt::ToolTipRole).toString(), QStringLiteral("Red 2: hidden behind Blue 1 in view A (3.41\u00a0s to 4.20\u00a0s)"));
+        QCOMPARE(hidden.data(SpikeModel::SampleIndexRole).toLongLong(), -1);
+        QVERIFY(!model.index(0, SpikeModel::ReasonColumn).data().toString().contains(QStringLiteral("hidden")));
+        QVERIFY(model.index(2, SpikeModel::ReasonColumn).data().toString().endsWith(QStringLiteral("; hidden behind Blue 1 in view A")));
+    }
     void names()
     {
         NameListModel model({QStringLiteral("Trial 1"), QStringLiteral("Trial 2")},

@@ -106,6 +106,14 @@ private Q_SLOTS:
         scene->robots.front().analysis->doubtfulNames.clear();
         QVERIFY(!printedText(printed(trialPages(contentOf(scene), {}))).contains(QStringLiteral("doubtful")));
     }
+    void remarksSayWhenTheRobotWasHidden()
+    {
+        const auto scene = exampleCopy();
+        const auto hidden = [](Nanoseconds from, Nanoseconds to) { return Occlusion{{from, to}, OcclusionCause::HiddenBehind, "A", "Blue 1"}; };
+        scene->robots.front().occlusions = {hidden(1200ms, 1500ms), hidden(2s, 2100ms), hidden(3s, 3900ms)};
+        const QString text = printedText(printed(trialPages(contentOf(scene), {}))).simplified();
+        QVERIFY2(text.contains(QStringLiteral("hidden behind Blue 1 in view A (3.00 s to 3.90 s); hidden behind Blue 1 in view A (1.20 s to 1.50 s); 3 times in all.")), qPrintable(text));
+    }
     void aVaryingRateIsPrinted()
     {
         auto scene = exampleCopy();

@@ -2,6 +2,7 @@
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/timeline.h"
 #include "ui/views/camera_view.h"
+#include "ui/views/chart_area.h"
 #include "ui/views/floor_map.h"
 #include "ui/views/profile_chart.h"
 #include "ui/views/result_panel.h"
@@ -188,6 +189,38 @@ private Q_SLOTS:
         const QImage with = picture(scene);
         QVERIFY(with != without);
         QVERIFY2(m_said.contains(QStringLiteral("from 0.70 s to 1.10 s it is doubtful whether this is Red 2, &lt;b&gt;Blue&lt;/b&gt; 2 or Blue 1")), qPrintable(m_said));
+    }
+    void chartsAndMapShadeWhereARobotIsHidden()
+    {
+        using namespace std::chrono_literals;
+        auto scene = std::make_shared<TrialScene>(*m_scene);
+        const auto pictures = [&](const TrialScenePtr &shown) {
+            Timeline timeline;
+            timeline.setFrameTimes(shown->frameTimes());
+            ProfileChart chart(timeline, Quantity::Speed);
+            FloorMap map(timeline);
+            for (QWidget *one : std::initializer_list<QWidget *>{&chart, &map}) {
+                one->resize(600, 300);
+                one->show();
+            }
+            chart.setScene(shown);
+            map.setScene(shown);
+            if (!QTest::qWaitFor([&] { return map.isSettled() && chart.isSettled(); }))
+                qFatal("chart and map do not settle");
+            auto *area = static_cast<ChartArea *>(chart.chartArea());
+            const QPoint inside = area->positionOf(900ms, 0.5).toPoint();
+            QHelpEvent ask(QEvent::ToolTip, inside, area->mapToGlobal(inside));
+            QApplication::sendEvent(area, &ask);
+            m_said = QToolTip::text();
+            QToolTip::hideText();
+            return std::pair(shot(area), shot(map.mapArea()));
+        };
+        const auto without = pictures(scene);
+        QCOMPARE(m_said, QString());
+        scene->robots[0].occlusions = {{{700ms, 1100ms}, OcclusionCause::HiddenBehind, "A", "<b>Blue</b> 1"}};
+        const auto with = pictures(scene);
+        QVERIFY(with.first != without.first && with.second != without.second);
+        QVERIFY2(m_said.contains(QStringLiteral("Red 2: hidden behind &lt;b&gt;Blue&lt;/b&gt; 1 in view A (0.70\u00a0s to 1.10\u00a0s)")), qPrintable(m_said));
     }
     void cameraSaysWhyThereIsNoPicture()
     {

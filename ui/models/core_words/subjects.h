@@ -15,7 +15,7 @@ std::span<const CorePattern> registration(); ///< Verdicts on a camera's place o
 std::span<const CorePattern> attentions(); ///< Attentions and warnings of calibrations, trials, recordings and imports.
 std::span<const CorePattern> health(); ///< Cameras, step, disk and the live map while they run; what a job does.
 std::span<const CorePattern> setup(); ///< Titles, findings and advice of the set-up doctor.
-std::span<const CorePattern> spikes(); ///< Reasons of spikes.
+std::span<const CorePattern> spikes(); ///< Reasons of spikes, and what hid a robot.
 std::span<const CorePattern> changes(); ///< Changes of the project whose words core makes, and where calibrations come from.
 std::span<const CorePattern> errorsProject(); ///< Errors of projects: opening, saving, names, what belongs to what.
 std::span<const CorePattern> errorsVideo(); ///< Errors of videos, imports, roster and tracks of other programs.
