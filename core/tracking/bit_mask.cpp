@@ -3,22 +3,38 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 
 namespace odo {
 
 namespace {
 
-/// A row's word moved by one pixel; what enters comes from the word beside it.
-std::uint64_t toTheRight(std::uint64_t word, std::uint64_t before)
+/// A word of a row moved by one pixel; what enters comes from the word beside it in memory. The end of a row is followed by spare bits, so
+/// that all rows can be moved at once.
+std::uint64_t toTheRight(const std::uint64_t *word)
 {
-    return (word << 1) | (before >> 63);
+    return (word[0] << 1) | (word[-1] >> 63);
 }
 
-std::uint64_t toTheLeft(std::uint64_t word, std::uint64_t after)
+std::uint64_t toTheLeft(const std::uint64_t *word)
 {
-    return (word >> 1) | (after << 63);
+    return (word[0] >> 1) | (word[1] << 63);
+}
+
+/// Dilates by one pixel to the left and right.
+void widen(const std::uint64_t *from, std::uint64_t *__restrict into, std::ptrdiff_t count)
+{
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+        into[i] = from[i] | toTheRight(from + i) | toTheLeft(from + i);
+}
+
+/// Half the widths of a disc's rows, from its middle outwards.
+std::vector<int> discRows(int radius)
+{
+    std::vector<int> halfWidths(std::size_t(radius) + 1);
+    for (int dy = 0; dy <= radius; ++dy)
+        halfWidths[std::size_t(dy)] = int(std::lround(std::sqrt(double(radius * radius - dy * dy))));
+    return halfWidths;
 }
 
 } // namespace
@@ -27,7 +43,7 @@ void BitMask::reset(int width, int height)
 {
     m_width = width;
     m_height = height;
-    m_words = (width + wordBits - 1) / wordBits;
+    m_words = width / wordBits + 1;
     m_bits.assign(std::size_t(m_words) * std::size_t(height), 0);
 }
 
@@ -109,8 +125,7 @@ BitMask BitMask::cropped(const PixelRect &part) const
             const Word after = shift > 0 && first + w + 1 < m_words ? from[w + 1] << (wordBits - shift) : 0;
             words[w] = (from[w] >> shift) | after;
         }
-        if (result.m_words > 0)
-            words[result.m_words - 1] &= result.lastWord();
+        words[result.m_words - 1] &= result.lastWord();
     }
     return result;
 }
@@ -193,103 +208,88 @@ BitMask &BitMask::operator-=(const BitMask &other)
 BitMask BitMask::complement() const
 {
     BitMask result = *this;
-    for (int y = 0; y < m_height; ++y) {
-        Word *words = result.row(y);
-        for (int w = 0; w < m_words; ++w)
-            words[w] = ~words[w];
-        words[m_words - 1] &= lastWord();
-    }
+    for (Word &word : result.m_bits)
+        word = ~word;
+    setSpare(result.m_bits.data(), 0);
     return result;
 }
 
-/// Dilates by one pixel to the left and right.
-void BitMask::widen(bool isOutsideSet)
+/// Sets the spare bits of each of the image's rows to what lies outside.
+void BitMask::setSpare(Word *rows, Word outside) const
 {
-    const Word outside = isOutsideSet ? ~Word(0) : 0;
+    const Word pixels = lastWord(), spare = outside & ~pixels;
     for (int y = 0; y < m_height; ++y) {
-        Word *words = row(y);
-        words[m_words - 1] |= outside & ~lastWord();
-        Word before = outside;
-        for (int w = 0; w < m_words; ++w) {
-            const Word here = words[w], after = w + 1 < m_words ? words[w + 1] : outside;
-            words[w] = here | toTheRight(here, before) | toTheLeft(here, after);
-            before = here;
-        }
-        words[m_words - 1] &= lastWord();
+        Word &last = rows[std::ptrdiff_t(y + 1) * m_words - 1];
+        last = (last & pixels) | spare;
     }
 }
 
-/// Adds the rows of another set, `down` rows lower.
-void BitMask::addMoved(const BitMask &other, int down)
-{
-    const auto skipped = std::min(std::ptrdiff_t(m_bits.size()), std::ptrdiff_t(std::abs(down)) * m_words);
-    const std::ptrdiff_t count = std::ptrdiff_t(m_bits.size()) - skipped;
-    Word *__restrict into = m_bits.data() + (down > 0 ? skipped : 0);
-    const Word *from = other.m_bits.data() + (down > 0 ? 0 : skipped);
-    for (std::ptrdiff_t i = 0; i < count; ++i)
-        into[i] |= from[i];
-}
-
-BitMask BitMask::dilated(int radius, bool isOutsideSet) const
+/// Dilates by a shape of so many rows above and below its middle, none wider than one nearer to it; halfWidths: from the middle outwards.
+/// inverted: all ones where the complement is dilated instead. outside: all ones where pixels outside the image are in the set.
+BitMask BitMask::spread(std::span<const int> halfWidths, Word inverted, Word outside) const
 {
     BitMask result(m_width, m_height);
-    if (m_bits.empty())
-        return result;
-    BitMask wide = *this;
-    int halfWidth = 0;
-    for (int dy = radius; dy >= 0; --dy) { // the disc's rows from the narrowest
-        for (const auto wanted = int(std::lround(std::sqrt(double(radius * radius - dy * dy)))); halfWidth < wanted; ++halfWidth)
-            wide.widen(isOutsideSet);
-        result.addMoved(wide, dy);
-        result.addMoved(wide, -dy);
+    const auto count = std::ptrdiff_t(m_bits.size()), margin = (std::ptrdiff_t(halfWidths.size()) - 1) * m_words, stride = count + 2 * margin;
+    std::vector<Word> work(std::size_t(3 * stride), outside); // three images with rows of what lies outside above and below
+    Word *source = work.data() + margin, *wide = source + stride, *wider = wide + stride;
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+        source[i] = m_bits[std::size_t(i)] ^ inverted;
+    setSpare(source, outside);
+    std::copy_n(source, count, wide);
+    int half = halfWidths.front();
+    const auto widenTo = [&](int wanted) {
+        for (; half > wanted; --half) { // what is taken in from now on is widened less
+            widen(wide, wider, count);
+            setSpare(wider, outside);
+            std::swap(wide, wider);
+        }
+    };
+    for (std::ptrdiff_t dy = 1; dy < std::ptrdiff_t(halfWidths.size()); ++dy) {
+        widenTo(halfWidths[std::size_t(dy)]);
+        const Word *above = source - dy * m_words, *below = source + dy * m_words;
+        for (std::ptrdiff_t i = 0; i < count; ++i)
+            wide[i] |= above[i] | below[i];
     }
-    for (int y = 0; isOutsideSet && y < m_height; ++y) {
-        if (y >= radius && y < m_height - radius)
-            continue;
-        std::fill_n(result.row(y), m_words, ~Word(0));
-        result.row(y)[m_words - 1] = lastWord();
-    }
+    widenTo(0);
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+        result.m_bits[std::size_t(i)] = wide[i] ^ inverted;
+    setSpare(result.m_bits.data(), 0);
     return result;
 }
 
-BitMask BitMask::grown() const
+BitMask BitMask::dilated(int radius) const
 {
-    BitMask wide = *this;
-    wide.widen(false);
-    BitMask result = wide;
-    result.addMoved(wide, 1);
-    result.addMoved(wide, -1);
-    return result;
+    return spread(discRows(radius), 0, 0);
 }
 
 BitMask BitMask::eroded(int radius, bool isOutsideSet) const
 {
-    return complement().dilated(radius, !isOutsideSet).complement();
+    return spread(discRows(radius), ~Word(0), isOutsideSet ? 0 : ~Word(0));
+}
+
+BitMask BitMask::grown(int reach) const
+{
+    return spread(std::vector<int>(std::size_t(reach) + 1, reach), 0, 0);
 }
 
 BitMask BitMask::crowded() const
 {
-    // Of each pixel and its neighbours in the row, their number in two bits.
-    BitMask ones(m_width, m_height), twos(m_width, m_height), result(m_width, m_height);
-    for (int y = 0; y < m_height; ++y) {
-        const Word *words = row(y);
-        for (int w = 0; w < m_words; ++w) {
-            const Word here = words[w], left = toTheRight(here, w > 0 ? words[w - 1] : 0), right = toTheLeft(here, w + 1 < m_words ? words[w + 1] : 0);
-            ones.row(y)[w] = left ^ here ^ right;
-            twos.row(y)[w] = (left & here) | (here & right) | (left & right);
-        }
+    BitMask result(m_width, m_height);
+    const auto count = std::ptrdiff_t(m_bits.size()), stride = count + 2 * m_words;
+    std::vector<Word> work(std::size_t(3 * stride)); // three images with an empty row above and below
+    Word *source = work.data() + m_words, *ones = source + stride, *twos = ones + stride;
+    std::ranges::copy(m_bits, source);
+    for (std::ptrdiff_t i = 0; i < count; ++i) { // of each pixel and its neighbours in the row, their number in two bits
+        const Word here = source[i], left = toTheRight(source + i), right = toTheLeft(source + i);
+        ones[i] = left ^ here ^ right;
+        twos[i] = (left & here) | (here & right) | (left & right);
     }
-    const std::vector<Word> none(std::size_t(m_words), 0);
-    const auto rowOf = [&](const BitMask &of, int y) { return y < 0 || y >= m_height ? none.data() : of.row(y); };
-    for (int y = 0; y < m_height; ++y) {
-        const Word *a1 = rowOf(ones, y - 1), *b1 = rowOf(ones, y), *c1 = rowOf(ones, y + 1);
-        const Word *a2 = rowOf(twos, y - 1), *b2 = rowOf(twos, y), *c2 = rowOf(twos, y + 1);
-        for (int w = 0; w < m_words; ++w) {
-            const Word twoTwos = (a2[w] & b2[w]) | (b2[w] & c2[w]) | (a2[w] & c2[w]);
-            result.row(y)[w] = twoTwos | ((a2[w] | b2[w] | c2[w]) & (a1[w] | b1[w] | c1[w])) | (a1[w] & b1[w] & c1[w]);
-        }
-        result.row(y)[m_words - 1] &= lastWord();
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        const Word a1 = ones[i - m_words], b1 = ones[i], c1 = ones[i + m_words], a2 = twos[i - m_words], b2 = twos[i], c2 = twos[i + m_words];
+        const Word twoTwos = (a2 & b2) | (b2 & c2) | (a2 & c2);
+        result.m_bits[std::size_t(i)] = twoTwos | ((a2 | b2 | c2) & (a1 | b1 | c1)) | (a1 & b1 & c1);
     }
+    setSpare(result.m_bits.data(), 0);
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace odo {
@@ -64,12 +65,12 @@ public:
 
     /// Dilated and eroded by a disc, which holds the pixels within `radius` of its centre (to half a pixel along the rows), as OpenCV's ellipse
     /// does. isOutsideSet: whether pixels outside the image count as being in the set.
-    BitMask dilated(int radius, bool isOutsideSet = false) const;
+    BitMask dilated(int radius) const;
     BitMask eroded(int radius, bool isOutsideSet = true) const;
     BitMask opened(int radius) const { return eroded(radius).dilated(radius); }
     BitMask closed(int radius) const { return dilated(radius).eroded(radius); }
-    /// With the eight neighbours of each pixel.
-    BitMask grown() const;
+    /// Dilated by a square that reaches so many pixels to each side.
+    BitMask grown(int reach = 1) const;
     /// Where at least three of the 3 x 3 pixels around belong to the set.
     BitMask crowded() const;
 
@@ -93,14 +94,14 @@ public:
 private:
     Word *row(int y) { return m_bits.data() + std::ptrdiff_t(y) * m_words; }
     const Word *row(int y) const { return m_bits.data() + std::ptrdiff_t(y) * m_words; }
-    Word lastWord() const { return ~Word(0) >> (m_words * wordBits - m_width); } ///< the bits of a row's last word that are pixels
+    Word lastWord() const { return (Word(1) << (m_width % wordBits)) - 1; } ///< the bits of a row's last word that are pixels
     int next(int x, int y, Word inverted) const;
     static Word bitsOf(int x0, int x1) { return (~Word(0) >> (wordBits - (x1 - x0))) << (x0 % wordBits); } ///< of one word
-    void widen(bool isOutsideSet);
-    void addMoved(const BitMask &other, int down);
+    void setSpare(Word *rows, Word outside) const;
+    BitMask spread(std::span<const int> halfWidths, Word inverted, Word outside) const;
 
     int m_width = 0, m_height = 0, m_words = 0;
-    std::vector<Word> m_bits; ///< rows of m_words; bits beyond the width are 0
+    std::vector<Word> m_bits; ///< rows of m_words, each with at least one spare bit beyond the width; those are 0
 };
 
 inline BitMask operator|(BitMask a, const BitMask &b)
