@@ -6,6 +6,10 @@
 
 namespace odo {
 
+/// Adds a point to a chain, those of `points` from `first` on: what comes in order along a line of which the hull lies to one side. In it stay those that
+/// the hull may have as corners. turn: 1 or −1, to which side the hull turns along the chain; 1: from x to y.
+void addToChain(std::vector<Eigen::Vector2d> &points, std::size_t first, double turn, const Eigen::Vector2d &point);
+
 /// The corners of the smallest convex polygon around points, anticlockwise where y points up, by the monotone chain (A. M. Andrew 1979). At
 /// least three points that do not lie on one line. Pure.
 std::vector<Eigen::Vector2d> convexHull(std::vector<Eigen::Vector2d> points);

@@ -85,6 +85,20 @@ bool contains(const ConnectedPart &part, int x, int y)
     return std::ranges::any_of(part, [&](const PixelRun &run) { return run.y == y && run.x0 <= x && x < run.x1; });
 }
 
+bool enclosesAny(const ConnectedPart &part)
+{
+    // Where nothing is enclosed, the runs that touch those of the next row hang together as a tree: there is one such link less than runs.
+    std::size_t links = 0, above = 0;
+    for (const PixelRun &run : part) {
+        const auto isPassed = [&](const PixelRun &one) { return one.y < run.y - 1 || (one.y == run.y - 1 && one.x1 < run.x0); };
+        while (isPassed(part[above]))
+            ++above;
+        for (std::size_t i = above; part[i].y == run.y - 1 && part[i].x0 <= run.x1; ++i)
+            ++links;
+    }
+    return links >= part.size();
+}
+
 BitMask withoutHoles(const BitMask &set)
 {
     // What encloses pixels even where it only touches at a corner: around it the rest hangs together by sides.

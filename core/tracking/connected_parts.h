@@ -21,6 +21,8 @@ std::vector<ConnectedPart> connectedParts(const BitMask &set);
 PixelRect boundsOf(const ConnectedPart &part);
 bool contains(const ConnectedPart &part, int x, int y);
 
+/// Whether a part encloses pixels that do not belong to it. Pure.
+bool enclosesAny(const ConnectedPart &part);
 /// The set and all of the image that it encloses. Pure.
 BitMask withoutHoles(const BitMask &set);
 

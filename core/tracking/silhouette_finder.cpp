@@ -41,7 +41,7 @@ BitMask edgeOf(const BitMask &region)
 }
 
 /// Whether the background has the edge of a region, and the picture has none: what was there while the background was learned has gone.
-bool isGhost(const ComparedWindow &w, const BitMask &region, const PixelRect &part)
+bool isGhost(const ComparedWindow &w, const BitMask &edge, const PixelRect &part)
 {
     constexpr int across = 2; // pixels to either side of the edge
     constexpr float clearly = 1.5F;
@@ -50,7 +50,7 @@ bool isGhost(const ComparedWindow &w, const BitMask &region, const PixelRect &pa
         return length(right.luma - left.luma, below.luma - above.luma) + length(right.u - left.u, below.u - above.u) + length(right.v - left.v, below.v - above.v);
     };
     float now = 0, behind = 0;
-    edgeOf(region).forEach([&](int px, int py) {
+    edge.forEach([&](int px, int py) {
         const int x = part.x0 + px, y = part.y0 + py, left = std::max(0, x - across), right = std::min(w.width() - 1, x + across);
         const int above = std::max(0, y - across), below = std::min(w.height() - 1, y + across);
         now += step(w.seen(left, y), w.seen(right, y), w.seen(x, above), w.seen(x, below));
@@ -62,38 +62,38 @@ bool isGhost(const ComparedWindow &w, const BitMask &region, const PixelRect &pa
 /// The convex hull of the pixels' centres.
 std::vector<Eigen::Vector2d> hullOf(const BitMask &set)
 {
-    std::vector<Eigen::Vector2d> ends; // of the rows
-    for (int y = 0; y < set.height(); ++y) {
-        const int last = set.lastSet(set.width(), y);
-        if (last < 0)
-            continue;
-        ends.emplace_back(set.nextSet(0, y), y);
-        ends.emplace_back(last, y);
-    }
+    std::vector<Eigen::Vector2d> ends; // of the rows, as far as they may be corners
+    for (int y = 0; y < set.height(); ++y)
+        if (const int first = set.nextSet(0, y); first < set.width())
+            addToChain(ends, 0, -1, {first, y});
+    const std::size_t lefts = ends.size();
+    for (int y = 0; y < set.height(); ++y)
+        if (const int last = set.lastSet(set.width(), y); last >= 0)
+            addToChain(ends, lefts, 1, {last, y});
     return convexHull(std::move(ends));
 }
 
-/// How far a place is from a convex polygon; 0 in it.
-double beyondPx(const std::vector<Eigen::Vector2d> &hull, const Eigen::Vector2d &place)
+/// Whether a place is farther than a distance from a convex polygon.
+bool isBeyond(const std::vector<Eigen::Vector2d> &hull, const Eigen::Vector2d &place, double distance)
 {
-    double nearest = HUGE_VAL;
     bool isInside = true;
     for (std::size_t i = 0; i < hull.size(); ++i) {
         const Eigen::Vector2d &from = hull[i], along = hull[(i + 1) % hull.size()] - from, away = place - from;
         isInside &= along.x() * away.y() - along.y() * away.x() >= 0;
         const double at = std::clamp(along.dot(away) / std::max(along.squaredNorm(), 1e-9), 0.0, 1.0);
-        nearest = std::min(nearest, (away - at * along).norm());
+        if ((away - at * along).squaredNorm() <= distance * distance)
+            return false;
     }
-    return isInside ? 0 : nearest;
+    return !isInside;
 }
 
 /// Takes away what is thin and reaches far out of a region, and gives it: cables, aerials and masts are no part of a body's form, and often move in it.
-BitMask cutAppendages(BitMask &region)
+BitMask cutAppendages(BitMask &region, const BitMask &edge)
 {
     BitMask cut(region.width(), region.height());
     constexpr double thin = 0.12, farOut = 0.25, leastHollow = 1.1; // of the side of a square of its area; of its hull's area
     // The area within the line through the pixels on the edge, as the hull's (Pick's theorem).
-    const double area = region.count() - edgeOf(region).count() / 2.0 - 1, side = std::sqrt(std::max(0.0, area));
+    const double area = region.count() - edge.count() / 2.0 - 1, side = std::sqrt(std::max(0.0, area));
     const int width = int(thin * side) | 1;
     if (width < 3 || polygonMoments(hullOf(region)).areaPx2 < leastHollow * area)
         return cut;
@@ -102,7 +102,7 @@ BitMask cutAppendages(BitMask &region)
         return cut;
     const std::vector<Eigen::Vector2d> hull = hullOf(body);
     for (const ConnectedPart &part : connectedParts(region - body)) {
-        const auto isFar = [&](int x, int y) { return beyondPx(hull, {x, y}) > farOut * side; };
+        const auto isFar = [&](int x, int y) { return isBeyond(hull, {x, y}, farOut * side); };
         if (std::ranges::none_of(part, [&](const PixelRun &run) { return isFar(run.x0, run.y) || isFar(run.x1 - 1, run.y); }))
             continue;
         for (const PixelRun &run : part)
@@ -148,7 +148,7 @@ struct SilhouetteFinder::Impl
     bool look(const Frame &frame, const DifferenceWindow &part);
     void takeGroup(const Frame &frame, const std::vector<DifferenceWindow> &windows);
     void takeRegions(const BitMask &taken, const BitMask &clear);
-    bool measure(BitMask region, const PixelRect &part, const BitMask &clear, SeenSilhouette &silhouette);
+    bool measure(BitMask region, const BitMask &edgePixels, const PixelRect &part, const BitMask &clear, SeenSilhouette &silhouette);
 };
 
 /// Whether anything differs in a part of the picture.
@@ -205,12 +205,14 @@ void SilhouetteFinder::Impl::takeRegions(const BitMask &taken, const BitMask &cl
         BitMask region(part.width(), part.height());
         for (const PixelRun &run : pixels)
             region.setRun(run.y - part.y0, run.x0 - part.x0, run.x1 - part.x0);
-        region = withoutHoles(region);
+        if (enclosesAny(pixels))
+            region = withoutHoles(region);
         if (parts.size() > 1)
             enclosed.add(region, part.x0, part.y0);
         SeenSilhouette silhouette;
         silhouette.box = {window.rect().x0 + box.x0, window.rect().y0 + box.y0, window.rect().x0 + box.x1, window.rect().y0 + box.y1};
-        if (isGhost(window, region, part) || !measure(std::move(region), part, clear, silhouette))
+        const BitMask edgePixels = edgeOf(region);
+        if (isGhost(window, edgePixels, part) || !measure(std::move(region), edgePixels, part, clear, silhouette))
             continue;
         const auto piece = std::ranges::find_if(pieces, [&](const ConnectedPart &one) { return contains(one, first.x0, first.y); });
         silhouette.shadowPiece = firstPiece + int(piece - pieces.begin());
@@ -220,9 +222,9 @@ void SilhouetteFinder::Impl::takeRegions(const BitMask &taken, const BitMask &cl
 }
 
 /// Measures a region of a part of the window. False where it is too small to be even a fragment.
-bool SilhouetteFinder::Impl::measure(BitMask region, const PixelRect &part, const BitMask &clear, SeenSilhouette &silhouette)
+bool SilhouetteFinder::Impl::measure(BitMask region, const BitMask &edgePixels, const PixelRect &part, const BitMask &clear, SeenSilhouette &silhouette)
 {
-    const BitMask cut = cutAppendages(region);
+    const BitMask cut = cutAppendages(region, edgePixels);
     silhouette.isTrimmed = !cut.isEmpty();
     edge.measure(window, shade, part, region, cut);
     if (edge.points().size() < 3)

@@ -69,6 +69,17 @@ private Q_SLOTS:
         const BitMask open = drawn({"###", "#..", "###"});
         QCOMPARE(withoutHoles(open).count(), open.count());
     }
+
+    void whatIsEnclosedIsKnownFromTheRuns()
+    {
+        const auto encloses = [](const std::vector<std::string> &rows) { return enclosesAny(connectedParts(drawn(rows)).front()); };
+        QVERIFY(encloses({".###.", "#...#", ".###."})); // corners close it
+        QVERIFY(encloses({"##.##", "#.#.#", "#####"}));
+        QVERIFY(!encloses({"###", "#..", "###"}));
+        QVERIFY(!encloses({"#.#.#", "#.#.#", "#####", "#...#", "#...#"}));
+        QVERIFY(!encloses({"#...#", ".#.#.", "..#..", ".#.#."}));
+        QVERIFY(!encloses({"#"}));
+    }
 };
 
 QTEST_GUILESS_MAIN(TestConnectedParts)
