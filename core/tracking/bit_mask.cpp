@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <memory>
 
 namespace odo {
 
@@ -95,23 +96,6 @@ int BitMask::lastSet(int x, int y) const
             return (w + 1) * wordBits - 1 - std::countl_zero(rest);
     }
     return -1;
-}
-
-void BitMask::copyRow(int y, int x0, int x1, std::uint8_t *values) const
-{
-    constexpr int atOnce = 8;
-    const Word *words = row(y);
-    int x = x0;
-    for (; x + atOnce <= x1; x += atOnce) {
-        const int shift = x % wordBits, w = x / wordBits;
-        const Word after = shift > wordBits - atOnce ? words[w + 1] << (wordBits - shift) : 0;
-        // In each byte one of the bits, which adding 127 carries to the byte's top.
-        const Word apart = (((words[w] >> shift) | after) & 0xFF) * 0x0101010101010101U & 0x8040201008040201U;
-        const Word bytes = ((apart + 0x7F7F7F7F7F7F7F7FU) >> 7) & 0x0101010101010101U;
-        std::memcpy(values + (x - x0), &bytes, atOnce);
-    }
-    for (; x < x1; ++x)
-        values[x - x0] = at(x, y) ? 1 : 0;
 }
 
 BitMask BitMask::cropped(const PixelRect &part) const
@@ -230,8 +214,12 @@ BitMask BitMask::spread(std::span<const int> halfWidths, Word inverted, Word out
 {
     BitMask result(m_width, m_height);
     const auto count = std::ptrdiff_t(m_bits.size()), margin = (std::ptrdiff_t(halfWidths.size()) - 1) * m_words, stride = count + 2 * margin;
-    std::vector<Word> work(std::size_t(3 * stride), outside); // three images with rows of what lies outside above and below
-    Word *source = work.data() + margin, *wide = source + stride, *wider = wide + stride;
+    const auto work = std::make_unique_for_overwrite<Word[]>(std::size_t(3 * stride)); // three images with rows of what lies outside above and below
+    Word *source = work.get() + margin, *wide = source + stride, *wider = wide + stride;
+    for (Word *image : {source, wide, wider}) {
+        std::fill_n(image - margin, margin, outside);
+        std::fill_n(image + count, margin, outside);
+    }
     for (std::ptrdiff_t i = 0; i < count; ++i)
         source[i] = m_bits[std::size_t(i)] ^ inverted;
     setSpare(source, outside);
@@ -239,8 +227,9 @@ BitMask BitMask::spread(std::span<const int> halfWidths, Word inverted, Word out
     int half = halfWidths.front();
     const auto widenTo = [&](int wanted) {
         for (; half > wanted; --half) { // what is taken in from now on is widened less
+            if (half < halfWidths.front())
+                setSpare(wide, outside);
             widen(wide, wider, count);
-            setSpare(wider, outside);
             std::swap(wide, wider);
         }
     };

@@ -40,8 +40,6 @@ public:
 
     /// Adds the pixels of a row from x0 up to, not including, x1 whose byte is 1, not 0.
     void setRow(int y, const std::uint8_t *values, int x0, int x1);
-    /// Writes pixels of a row as such bytes.
-    void copyRow(int y, int x0, int x1, std::uint8_t *values) const;
 
     /// A part of the image, which lies in it.
     BitMask cropped(const PixelRect &part) const;
@@ -89,6 +87,20 @@ public:
         for (int w = 0; w < m_words; ++w)
             for (Word rest = words[w]; rest != 0; rest &= rest - 1)
                 visit(w * wordBits + std::countr_zero(rest));
+    }
+    /// Calls visit(x0, x1) for each run of pixels of a row, from x0 up to, not including, x1; for a long run several times in parts.
+    template <class Visit>
+    void forEachRunInRow(int y, const Visit &visit) const
+    {
+        const Word *words = row(y);
+        for (int w = 0; w < m_words; ++w)
+            for (Word rest = words[w]; rest != 0;) {
+                const int first = std::countr_zero(rest);
+                const Word beyond = rest + (Word(1) << first); // carries through the run
+                const int end = beyond == 0 ? wordBits : std::countr_zero(beyond & ~rest);
+                visit(w * wordBits + first, w * wordBits + end);
+                rest &= beyond;
+            }
     }
 
 private:

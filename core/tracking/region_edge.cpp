@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/region_edge.h"
 
-#include "core/tracking/difference_test.h"
+#include "core/geometry/convex_hull.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace odo {
 
@@ -12,162 +13,178 @@ namespace {
 constexpr int edgePx = 2, softEdgePx = 4;  // to both sides of the edge, and inside where only its hue tells it
 constexpr int edgeReach = 4, hueReach = 6; // pixels around one on the edge, in which both sides are looked at
 static_assert(RegionEdge::marginPx >= edgePx + hueReach);
-constexpr int sumRows = 2 * hueReach + 2;   // kept of the sums
 constexpr float half = 0.5F;
-constexpr float lightUnit = 4096; // of the fixed-point sum
 
-constexpr int halfWord = 32, chromaOffset = 32768;
-
-std::uint64_t twoSums(std::uint32_t lower, std::uint32_t upper)
+Chroma meanChromaOf(const ComparedWindow &w, const PixelRect &part, const BitMask &pixels)
 {
-    return lower | (std::uint64_t(upper) << halfWord);
+    std::int64_t count = 0, uSum = 0, vSum = 0;
+    for (int y = 0; y < pixels.height(); ++y) {
+        const std::int16_t *u = w.uRow(part.y0 + y) + part.x0, *v = w.vRow(part.y0 + y) + part.x0;
+        pixels.forEachRunInRow(y, [&](int x0, int x1) {
+            count += x1 - x0;
+            uSum += std::accumulate(u + x0, u + x1, 0);
+            vSum += std::accumulate(v + x0, v + x1, 0);
+        });
+    }
+    const double scale = count > 0 ? 1 / (double(count) * double(ComparedWindow::chromaUnit)) : 0;
+    return Chroma(double(uSum), double(vSum)) * scale;
 }
 
 } // namespace
 
-RegionEdge::Sides RegionEdge::sidesOf(const Sums &sums)
-{
-    const auto lower = [](std::uint64_t both) { return float(std::int32_t(both)); };
-    const auto upper = [](std::uint64_t both) { return float(std::int32_t(both >> halfWord)); };
-    Sides sides{lower(sums.insideLuma), lower(sums.outsideLight), {}, 1};
-    if (sides.inside > 0) {
-        const float perPixel = 1 / sides.inside, perChroma = perPixel / ComparedWindow::chromaUnit, offset = float(chromaOffset) * sides.inside;
-        sides.colour = {upper(sums.insideLuma) * perPixel, (lower(sums.chroma) - offset) * perChroma, (upper(sums.chroma) - offset) * perChroma};
-    }
-    if (sides.outside > 0)
-        sides.light = upper(sums.outsideLight) / (lightUnit * sides.outside);
-    return sides;
-}
-
-/// The part of a pixel that a region covers; `otherwise` where the two sides look alike.
-float RegionEdge::coveredPart(const ComparedWindow &w, const Sides &sides, int x, int y, float otherwise)
-{
-    if (sides.inside == 0)
-        return otherwise;
-    const PixelColour seen = w.seen(x, y), lit = w.behind(x, y), behind{sides.light * lit.luma, sides.light * lit.u, sides.light * lit.v};
-    const float dy = sides.colour.luma - behind.luma, du = sides.colour.u - behind.u, dv = sides.colour.v - behind.v;
-    const float lumaNoise2 = w.lumaNoise2(x, y), chromaNoise2 = w.chromaNoise2(x, y);
-    const float contrast = dy * dy * chromaNoise2 + (du * du + dv * dv) * lumaNoise2; // times both variances, as `along`
-    if (contrast < differsInSigmas2 * lumaNoise2 * chromaNoise2)
-        return otherwise;
-    const float along = (seen.luma - behind.luma) * dy * chromaNoise2 + ((seen.u - behind.u) * du + (seen.v - behind.v) * dv) * lumaNoise2;
-    return std::clamp(along / contrast, 0.0F, 1.0F);
-}
-
 void RegionEdge::measure(const ComparedWindow &w, const FloorShade &shade, const PixelRect &part, const BitMask &region, const BitMask &cut)
 {
-    BitMask core = region.eroded(edgePx, false);
-    const BitMask near = region.dilated(edgePx) - cut;
-    BitMask soft = near & shade.byHue().cropped(part);
+    Surroundings all{w, part, region.eroded(edgePx, false), region.dilated(edgePx) - cut, shade.shade().cropped(part)};
+    BitMask soft = all.near & shade.byHue().cropped(part);
+    m_edge.count = 0;
     if (!soft.isEmpty()) {
         soft -= region.eroded(softEdgePx, false);
-        core -= soft;
+        all.core -= soft;
+        addEdge(all, soft, hueReach);
     }
-    m_width = part.width();
-    m_height = part.height();
-    m_covered.create(m_height, m_width);
-    const BitMask edge = near - core, shaded = shade.shade().cropped(part);
-    m_sums.resize(std::size_t(sumRows) * std::size_t(m_width + 1));
-    std::fill_n(sumsRow(0), m_width + 1, Sums{});
-    for (int y = -hueReach; y < m_height; ++y) { // the sums are as far ahead as is looked at
-        if (y + hueReach < m_height)
-            sumUp(w, shaded, part, core, near, y + hueReach);
-        if (y < 0)
-            continue;
-        edge.forEachInRow(y, [&](int x) {
-            const Sides sides = sidesOf(around(x, y, soft.at(x, y) ? hueReach : edgeReach));
-            m_covered(y, x) = coveredPart(w, sides, part.x0 + x, part.y0 + y, region.at(x, y) ? 1.0F : 0.0F);
-        });
-    }
-    const Sides all = sidesOf(sumsRow(m_height)[m_width]);
-    m_meanChroma = Chroma(double(all.colour.u), double(all.colour.v));
-    const PixelRect box = near.bounds();
-    findPoints(PixelRect{box.x0 - 1, box.y0 - 1, box.x1 + 1, box.y1 + 1}.clipped({0, 0, m_width, m_height}), {w.rect().x0 + part.x0, w.rect().y0 + part.y0});
+    addEdge(all, all.near - all.core - soft, edgeReach);
+    m_edge.findCovered();
+    cover(region);
+    m_meanChroma = meanChromaOf(w, part, all.core);
+    findPoints(all.near, {w.rect().x0 + part.x0, w.rect().y0 + part.y0});
 }
 
-RegionEdge::Sums *RegionEdge::sumsRow(int y)
+/// Adds pixels on the edge, with both sides of it in the square around each that reaches so far.
+void RegionEdge::addEdge(const Surroundings &all, const BitMask &edge, int reach)
 {
-    return m_sums.data() + std::ptrdiff_t(y % sumRows) * (m_width + 1);
+    const BitMask around = edge.grown(reach), outside = around - all.near;
+    const Summed summed{all.core & around, outside - all.shaded, outside & all.shaded};
+    const PixelRect box = edge.bounds();
+    m_columns.assign(std::size_t(edge.width() + 2 * reach), {});
+    for (int y = std::max(0, box.y0 - reach); y < box.y1 + reach; ++y) { // the sums are as far ahead as is looked at
+        if (y < edge.height())
+            sumUp(all, summed, y, reach, [](std::int32_t &sum, int value) { sum += value; });
+        const int row = y - reach, left = row - reach - 1;
+        if (left >= 0)
+            sumUp(all, summed, left, reach, [](std::int32_t &sum, int value) { sum -= value; });
+        if (row >= 0)
+            addEdgeRow(all, edge, reach, row);
+    }
 }
 
-/// Makes the sums of all rows up to a row from those of the rows before it, and begins the row's covered parts.
-void RegionEdge::sumUp(const ComparedWindow &w, const BitMask &shade, const PixelRect &part, const BitMask &core, const BitMask &near, int y)
+/// Changes the columns' sums by a row's pixels.
+template <class Change>
+void RegionEdge::sumUp(const Surroundings &all, const Summed &summed, int y, int reach, const Change &change)
 {
-    for (std::vector<std::uint8_t> *row : {&m_isCore, &m_isNear, &m_isShade})
-        row->resize(std::size_t(m_width));
-    core.copyRow(y, 0, m_width, m_isCore.data());
-    near.copyRow(y, 0, m_width, m_isNear.data());
-    shade.copyRow(y, 0, m_width, m_isShade.data());
-    const std::uint8_t *luma = w.lumaRow(part.y0 + y) + part.x0;
-    const std::int16_t *u = w.uRow(part.y0 + y) + part.x0, *v = w.vRow(part.y0 + y) + part.x0;
-    float *covered = m_covered[y];
-    for (int x = 0; x < m_width; ++x)
-        covered[x] = m_isCore[std::size_t(x)];
-    const Sums *above = sumsRow(y);
-    Sums *sums = sumsRow(y + 1), row{};
-    sums[0] = row;
-    for (int x = 0; x < m_width; ++x) {
-        const auto at = std::size_t(x);
-        if (m_isCore[at]) {
-            row.insideLuma += twoSums(1, std::uint32_t(luma[x] - w.gain().black));
-            row.chroma += twoSums(std::uint32_t(u[x] + chromaOffset), std::uint32_t(v[x] + chromaOffset));
-        } else if (!m_isNear[at]) {
-            const float light = m_isShade[at] ? w.seen(part.x0 + x, part.y0 + y).luma / w.behind(part.x0 + x, part.y0 + y).luma : 1.0F;
-            row.outsideLight += twoSums(1, std::uint32_t(lightUnit * light));
+    using E = EdgePixels;
+    const ComparedWindow &w = all.window;
+    const int left = all.part.x0, top = all.part.y0, black = w.gain().black;
+    const std::uint8_t *luma = w.lumaRow(top + y) + left;
+    const std::int16_t *u = w.uRow(top + y) + left, *v = w.vRow(top + y) + left;
+    E::Sums *columns = m_columns.data() + reach;
+    summed.inside.forEachRunInRow(y, [&](int x0, int x1) {
+        for (int x = x0; x < x1; ++x) {
+            change(columns[x][E::insideCount], 1);
+            change(columns[x][E::insideLuma], luma[x] - black);
+            change(columns[x][E::insideU], u[x]);
+            change(columns[x][E::insideV], v[x]);
         }
-        sums[x + 1] = {above[x + 1].insideLuma + row.insideLuma, above[x + 1].chroma + row.chroma, above[x + 1].outsideLight + row.outsideLight};
+    });
+    summed.lit.forEachRunInRow(y, [&](int x0, int x1) {
+        for (int x = x0; x < x1; ++x) {
+            change(columns[x][E::outsideCount], 1);
+            change(columns[x][E::outsideLight], E::lightUnit);
+        }
+    });
+    summed.shaded.forEachInRow(y, [&](int x) {
+        change(columns[x][E::outsideCount], 1);
+        change(columns[x][E::outsideLight], int(float(E::lightUnit) * (w.seen(left + x, top + y).luma / w.behind(left + x, top + y).luma)));
+    });
+}
+
+void RegionEdge::addEdgeRow(const Surroundings &all, const BitMask &edge, int reach, int y)
+{
+    const ComparedWindow &w = all.window;
+    EdgePixels &pixels = m_edge;
+    pixels.makeRoom(pixels.count + std::size_t(edge.width()));
+    const std::size_t first = pixels.count;
+    EdgePixels::Sums sums{};
+    int begin = 0, end = 0; // of the columns that are in the sums
+    edge.forEachInRow(y, [&](int x) {
+        if (x >= end) {
+            sums = {};
+            begin = end = x;
+        }
+        for (; end <= x + 2 * reach; ++end)
+            for (std::size_t k = 0; k < sums.size(); ++k)
+                sums[k] += m_columns[std::size_t(end)][k];
+        for (; begin < x; ++begin)
+            for (std::size_t k = 0; k < sums.size(); ++k)
+                sums[k] -= m_columns[std::size_t(begin)][k];
+        pixels.around[pixels.count] = sums;
+        pixels.at[pixels.count++] = std::size_t(y * edge.width() + x);
+    });
+    const int left = all.part.x0 - y * edge.width(), row = all.part.y0 + y;
+    for (std::size_t i = first; i < pixels.count; ++i) {
+        const PixelColour seen = w.seen(left + int(pixels.at[i]), row), behind = w.behind(left + int(pixels.at[i]), row);
+        pixels.luma[i] = seen.luma;
+        pixels.u[i] = seen.u;
+        pixels.v[i] = seen.v;
+        pixels.lumaBehind[i] = behind.luma;
+        pixels.uBehind[i] = behind.u;
+        pixels.vBehind[i] = behind.v;
+    }
+    for (std::size_t i = first; i < pixels.count; ++i) {
+        pixels.lumaNoise2[i] = w.lumaNoise2(left + int(pixels.at[i]), row);
+        pixels.chromaNoise2[i] = w.chromaNoise2(left + int(pixels.at[i]), row);
     }
 }
 
-/// Of the square around a pixel that reaches so far to each side.
-RegionEdge::Sums RegionEdge::around(int x, int y, int reach)
+/// Fills in what the region covers of each pixel: on the edge as was found where its sides differ, otherwise all or nothing.
+void RegionEdge::cover(const BitMask &region)
 {
-    const int left = std::max(0, x - reach), right = std::min(m_width, x + reach + 1);
-    const Sums *above = sumsRow(std::max(0, y - reach)), *below = sumsRow(std::min(m_height, y + reach + 1));
-    const auto sum = [&](std::uint64_t Sums::*of) { return below[right].*of - below[left].*of - above[right].*of + above[left].*of; };
-    return {sum(&Sums::insideLuma), sum(&Sums::chroma), sum(&Sums::outsideLight)};
+    m_covered.create(region.height(), region.width());
+    for (int y = 0; y < region.height(); ++y) {
+        std::fill_n(m_covered[y], region.width(), 0.0F);
+        region.forEachRunInRow(y, [&](int x0, int x1) { std::fill(m_covered[y] + x0, m_covered[y] + x1, 1.0F); });
+    }
+    float *covered = m_covered[0];
+    for (std::size_t i = 0; i < m_edge.count; ++i)
+        if (const auto [part, clearness] = m_edge.found[i]; clearness >= 0)
+            covered[m_edge.at[i]] = std::clamp(part, 0.0F, 1.0F);
 }
 
-void RegionEdge::findPoints(const PixelRect &box, const Eigen::Vector2d &origin)
+void RegionEdge::findPoints(const BitMask &near, const Eigen::Vector2d &origin)
 {
     m_points.clear();
-    // Of each line from one end; turn: 1 or −1, to which side a hull turns that goes from line to line.
-    const auto walk = [&](int from, int to, int begin, int end, double turn, const auto &valueAt, const auto &pointAt) {
+    // Of lines from one end, each from the pixel before the first that may belong to the region as far as there is such; turn: 1 or −1, to which side a
+    // hull turns that goes from line to line.
+    const auto walk = [&](int from, int to, double turn, int step, const auto &spanOf, const auto &valueAt, const auto &pointAt) {
         const std::size_t first = m_points.size();
-        const int step = begin < end ? 1 : -1;
         for (int line = from; line < to; ++line) {
+            const auto [low, high] = spanOf(line);
+            const int begin = step > 0 ? low : high - 1, end = step > 0 ? high : low - 1;
             float before = 0;
             for (int at = begin; at != end; at += step) {
                 const float here = valueAt(line, at);
                 if (here >= half) {
                     const double back = at != begin ? double((here - half) / (here - before)) : 0;
-                    addToChain(first, turn, origin + pointAt(line, at - step * back));
+                    addToChain(m_points, first, turn, origin + pointAt(line, at - step * back));
                     break;
                 }
                 before = here;
             }
         }
     };
+    const PixelRect box = near.bounds();
     const auto inRow = [&](int y, int x) { return m_covered(y, x); };
     const auto inColumn = [&](int x, int y) { return m_covered(y, x); };
     const auto onRow = [](int y, double x) { return Eigen::Vector2d(x, y); };
     const auto onColumn = [](int x, double y) { return Eigen::Vector2d(x, y); };
-    walk(box.y0, box.y1, box.x0, box.x1, -1, inRow, onRow);
-    walk(box.y0, box.y1, box.x1 - 1, box.x0 - 1, 1, inRow, onRow);
-    walk(box.x0, box.x1, box.y0, box.y1, 1, inColumn, onColumn);
-    walk(box.x0, box.x1, box.y1 - 1, box.y0 - 1, -1, inColumn, onColumn);
-}
-
-/// Adds a point to those from `first` on, of which stay those that a hull may have as corners.
-void RegionEdge::addToChain(std::size_t first, double turn, const Eigen::Vector2d &point)
-{
-    while (m_points.size() >= first + 2) {
-        const Eigen::Vector2d last = m_points.back(), along = last - m_points[m_points.size() - 2], on = point - last;
-        if (turn * (along.x() * on.y() - along.y() * on.x()) > 0)
-            break;
-        m_points.pop_back();
-    }
-    m_points.push_back(point);
+    const auto ofRow = [&](int y) {
+        const int last = near.lastSet(near.width(), y);
+        return last < 0 ? std::pair(0, 0) : std::pair(std::max(0, near.nextSet(0, y) - 1), std::min(near.width(), last + 2));
+    };
+    const auto ofColumn = [&](int) { return std::pair(std::max(0, box.y0 - 1), std::min(near.height(), box.y1 + 1)); };
+    walk(box.y0, box.y1, -1, 1, ofRow, inRow, onRow);
+    walk(box.y0, box.y1, 1, -1, ofRow, inRow, onRow);
+    walk(box.x0, box.x1, 1, 1, ofColumn, inColumn, onColumn);
+    walk(box.x0, box.x1, -1, -1, ofColumn, inColumn, onColumn);
 }
 
 } // namespace odo

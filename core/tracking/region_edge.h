@@ -3,9 +3,9 @@
 
 #include "core/tracking/chroma.h"
 #include "core/tracking/compared_window.h"
+#include "core/tracking/edge_pixels.h"
 #include "core/tracking/floor_shade.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace odo {
@@ -28,32 +28,28 @@ public:
     const Chroma &meanChroma() const { return m_meanChroma; }
 
 private:
-    /// Sums of pixels, each two of them in one word, the first in its lower half: modulo 2⁶⁴, as only their differences are used.
-    struct Sums
+    /// What the edge lies in: sets of a part of the window.
+    struct Surroundings
     {
-        std::uint64_t insideLuma = 0;   ///< number of pixels inside, and their luma
-        std::uint64_t chroma = 0;       ///< and their chroma, offset to be positive
-        std::uint64_t outsideLight = 0; ///< number of pixels outside, and their light against the background's, in fixed point
+        const ComparedWindow &window;
+        PixelRect part;
+        BitMask core, near, shaded; ///< inside without the edge; inside with the edge; floor in shadow
     };
-    /// What they mean.
-    struct Sides
+    /// Pixels near the edge that are summed up.
+    struct Summed
     {
-        float inside = 0, outside = 0; ///< pixels
-        PixelColour colour;            ///< mean inside
-        float light = 1;               ///< mean outside
+        BitMask inside, lit, shaded; ///< of those outside: on the floor in light and in shadow
     };
-    static Sides sidesOf(const Sums &sums);
-    static float coveredPart(const ComparedWindow &window, const Sides &sides, int x, int y, float otherwise);
-    void sumUp(const ComparedWindow &window, const BitMask &shade, const PixelRect &part, const BitMask &core, const BitMask &near, int y);
-    Sums *sumsRow(int y);
-    Sums around(int x, int y, int reach);
-    void findPoints(const PixelRect &box, const Eigen::Vector2d &origin);
-    void addToChain(std::size_t first, double turn, const Eigen::Vector2d &point);
+    void addEdge(const Surroundings &all, const BitMask &edge, int reach);
+    template <class Change>
+    void sumUp(const Surroundings &all, const Summed &summed, int y, int reach, const Change &change);
+    void addEdgeRow(const Surroundings &all, const BitMask &edge, int reach, int y);
+    void cover(const BitMask &region);
+    void findPoints(const BitMask &near, const Eigen::Vector2d &origin);
 
-    int m_width = 0, m_height = 0;
-    std::vector<Sums> m_sums; ///< of all pixels above and to the left of each corner, of the last rows of corners
-    cv::Mat1f m_covered;      ///< part of each pixel
-    std::vector<std::uint8_t> m_isCore, m_isNear, m_isShade; ///< of one row
+    std::vector<EdgePixels::Sums> m_columns; ///< of the rows around one, with as many more at both ends as is looked at
+    EdgePixels m_edge;
+    cv::Mat1f m_covered; ///< part of each pixel
     std::vector<Eigen::Vector2d> m_points;
     Chroma m_meanChroma = Chroma::Zero();
 };
