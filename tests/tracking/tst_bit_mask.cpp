@@ -100,6 +100,7 @@ private Q_SLOTS:
         int seen = 0;
         a.forEach([&](int x, int y) { seen += a.at(x, y); });
         QCOMPARE(seen, a.count());
+        QCOMPARE(BitMask(width, 70).complement().count(), 70 * width);
         BitMask again(width, 6); // run by run
         for (int y = 0; y < 6; ++y)
             a.forEachRunInRow(y, [&](int x0, int x1) { again.setRun(y, x0, x1); });
