@@ -6727,6 +6727,34 @@
         <source>outline larger than usual in view %1</source>
         <translation>Umriss größer als sonst in Sicht %1</translation>
     </message>
+    <message>
+        <source>in %1 of %2 pictures the views contradict one another</source>
+        <translation>in %1 von %2 Bildern widersprechen sich die Ansichten</translation>
+    </message>
+    <message>
+        <source>they put it %1 mm apart</source>
+        <translation>sie setzen ihn %1 mm auseinander</translation>
+    </message>
+    <message>
+        <source>a camera was moved after it was registered, the views are out of step, or the robot&apos;s height is not what was told</source>
+        <translation>eine Kamera wurde nach dem Einmessen bewegt, die Ansichten laufen nicht synchron, oder der Roboter ist nicht so hoch wie angegeben</translation>
+    </message>
+    <message>
+        <source>register the cameras again</source>
+        <translation>messen Sie die Kameras neu ein</translation>
+    </message>
+    <message>
+        <source>the views put it %1 mm apart</source>
+        <translation>die Ansichten setzen ihn %1 mm auseinander</translation>
+    </message>
+    <message>
+        <source>a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else</source>
+        <translation>eine Kamera wurde nach dem Einmessen bewegt, die Videos gehören zu anderen Kameras, oder eine Ansicht folgt etwas anderem</translation>
+    </message>
+    <message>
+        <source>look at the outlines, and register the cameras again</source>
+        <translation>sehen Sie sich die Umrisse an und messen Sie die Kameras neu ein</translation>
+    </message>
 </context>
 <context>
     <name>DoubtfulStretches</name>

@@ -6727,6 +6727,34 @@
         <source>outline larger than usual in view %1</source>
         <translation>contorno mayor de lo habitual en la vista %1</translation>
     </message>
+    <message>
+        <source>in %1 of %2 pictures the views contradict one another</source>
+        <translation>en %1 de %2 imágenes las vistas se contradicen</translation>
+    </message>
+    <message>
+        <source>they put it %1 mm apart</source>
+        <translation>lo sitúan a %1 mm de distancia</translation>
+    </message>
+    <message>
+        <source>a camera was moved after it was registered, the views are out of step, or the robot&apos;s height is not what was told</source>
+        <translation>una cámara se movió después de registrarla, las vistas no están sincronizadas o la altura del robot no es la indicada</translation>
+    </message>
+    <message>
+        <source>register the cameras again</source>
+        <translation>vuelva a registrar las cámaras</translation>
+    </message>
+    <message>
+        <source>the views put it %1 mm apart</source>
+        <translation>las vistas lo sitúan a %1 mm de distancia</translation>
+    </message>
+    <message>
+        <source>a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else</source>
+        <translation>una cámara se movió después de registrarla, los vídeos son de otras cámaras o una vista sigue otra cosa</translation>
+    </message>
+    <message>
+        <source>look at the outlines, and register the cameras again</source>
+        <translation>mire los contornos y vuelva a registrar las cámaras</translation>
+    </message>
 </context>
 <context>
     <name>DoubtfulStretches</name>

@@ -6727,6 +6727,34 @@
         <source>outline larger than usual in view %1</source>
         <translation>contour plus grand que d’habitude dans la vue %1</translation>
     </message>
+    <message>
+        <source>in %1 of %2 pictures the views contradict one another</source>
+        <translation>dans %1 images sur %2, les vues se contredisent</translation>
+    </message>
+    <message>
+        <source>they put it %1 mm apart</source>
+        <translation>elles le placent à %1 mm d’écart</translation>
+    </message>
+    <message>
+        <source>a camera was moved after it was registered, the views are out of step, or the robot&apos;s height is not what was told</source>
+        <translation>une caméra a été déplacée après sa localisation, les vues ne sont pas synchronisées ou la hauteur du robot n’est pas celle indiquée</translation>
+    </message>
+    <message>
+        <source>register the cameras again</source>
+        <translation>localisez de nouveau les caméras</translation>
+    </message>
+    <message>
+        <source>the views put it %1 mm apart</source>
+        <translation>les vues le placent à %1 mm d’écart</translation>
+    </message>
+    <message>
+        <source>a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else</source>
+        <translation>une caméra a été déplacée après sa localisation, les vidéos proviennent d’autres caméras ou une vue suit autre chose</translation>
+    </message>
+    <message>
+        <source>look at the outlines, and register the cameras again</source>
+        <translation>regardez les contours et localisez de nouveau les caméras</translation>
+    </message>
 </context>
 <context>
     <name>DoubtfulStretches</name>

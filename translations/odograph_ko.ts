@@ -6725,6 +6725,34 @@
         <source>outline larger than usual in view %1</source>
         <translation>뷰 %1에서 윤곽이 평소보다 큼</translation>
     </message>
+    <message>
+        <source>in %1 of %2 pictures the views contradict one another</source>
+        <translation>영상 %2개 중 %1개에서 뷰들이 서로 모순됩니다</translation>
+    </message>
+    <message>
+        <source>they put it %1 mm apart</source>
+        <translation>위치가 %1 mm 차이 납니다</translation>
+    </message>
+    <message>
+        <source>a camera was moved after it was registered, the views are out of step, or the robot&apos;s height is not what was told</source>
+        <translation>정합 후 카메라가 움직였거나, 뷰가 동기화되지 않았거나, 로봇의 높이가 입력한 값과 다릅니다</translation>
+    </message>
+    <message>
+        <source>register the cameras again</source>
+        <translation>카메라를 다시 정합하십시오</translation>
+    </message>
+    <message>
+        <source>the views put it %1 mm apart</source>
+        <translation>뷰들이 주는 위치가 %1 mm 차이 납니다</translation>
+    </message>
+    <message>
+        <source>a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else</source>
+        <translation>정합 후 카메라가 움직였거나, 동영상이 다른 카메라의 것이거나, 한 뷰가 다른 것을 따라갑니다</translation>
+    </message>
+    <message>
+        <source>look at the outlines, and register the cameras again</source>
+        <translation>윤곽선을 확인하고 카메라를 다시 정합하십시오</translation>
+    </message>
 </context>
 <context>
     <name>DoubtfulStretches</name>

@@ -6725,6 +6725,34 @@
         <source>outline larger than usual in view %1</source>
         <translation>在视角 %1 中轮廓比平时大</translation>
     </message>
+    <message>
+        <source>in %1 of %2 pictures the views contradict one another</source>
+        <translation>%2 幅画面中有 %1 幅，各视图相互矛盾</translation>
+    </message>
+    <message>
+        <source>they put it %1 mm apart</source>
+        <translation>它们给出的位置相差 %1 mm</translation>
+    </message>
+    <message>
+        <source>a camera was moved after it was registered, the views are out of step, or the robot&apos;s height is not what was told</source>
+        <translation>某台相机在配准后被移动、各视图不同步，或机器人的高度与所给的不符</translation>
+    </message>
+    <message>
+        <source>register the cameras again</source>
+        <translation>请重新配准相机</translation>
+    </message>
+    <message>
+        <source>the views put it %1 mm apart</source>
+        <translation>各视图给出的位置相差 %1 mm</translation>
+    </message>
+    <message>
+        <source>a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else</source>
+        <translation>某台相机在配准后被移动、视频属于其他相机，或某个视图跟踪了别的东西</translation>
+    </message>
+    <message>
+        <source>look at the outlines, and register the cameras again</source>
+        <translation>请查看轮廓，并重新配准相机</translation>
+    </message>
 </context>
 <context>
     <name>DoubtfulStretches</name>

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/contradiction.h"
 
+#include "core/base/units.h"
 #include "core/base/upper_median.h"
+#include "core/trajectory/track_profile.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -98,6 +100,37 @@ std::vector<bool> widenByContradiction(std::vector<std::vector<Sighting>> &views
         }
     }
     return isContradicted;
+}
+
+void flagContradictions(FusedTrack &track, const std::vector<bool> &isContradicted)
+{
+    for (std::size_t i = 0; i < isContradicted.size(); ++i) {
+        if (!isContradicted[i] || !track.samples[i].viewDisagreementM)
+            continue;
+        track.evidence[i].isContradicted = true;
+        track.samples[i].flags |= flagBit(SampleFlag::ViewsDisagree);
+    }
+}
+
+Result<void> checkAgreement(const std::vector<Sample> &samples)
+{
+    constexpr double leastUsed = 0.1; // of those that several views saw
+    std::size_t seen = 0, used = 0;
+    std::vector<double> apartM;
+    for (const Sample &sample : samples) {
+        if (!sample.viewDisagreementM)
+            continue;
+        ++seen;
+        used += isUsed(sample);
+        if (hasFlag(sample.flags, SampleFlag::ViewsDisagree))
+            apartM.push_back(*sample.viewDisagreementM);
+    }
+    if (2 * apartM.size() < seen || double(used) >= leastUsed * double(seen) || apartM.empty())
+        return {};
+    return fail(ErrorCode::Undetermined, cannotMeasurePath,
+                "the views put it " + formatNumber(1000 * upperMedian(std::move(apartM)), 0) +
+                    " mm apart: a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else",
+                "look at the outlines, and register the cameras again");
 }
 
 } // namespace odo

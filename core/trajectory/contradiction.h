@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/error.h"
 #include "core/trajectory/floor_positions.h"
+#include "core/trajectory/fused_track.h"
 
 #include <vector>
 
@@ -13,6 +15,11 @@ namespace odo {
 /// that were stated too small are widened). Views that lie apart by more than farApartM see different things, and are left as they are.
 /// views: sightings of each view at the same times, on the plane used. Tells of each time whether it was so. Pure.
 std::vector<bool> widenByContradiction(std::vector<std::vector<Sighting>> &views);
+
+/// Sets ViewsDisagree where it was so.
+void flagContradictions(FusedTrack &track, const std::vector<bool> &isContradicted);
+/// An Error where hardly a sample is used because the views contradict one another.
+Result<void> checkAgreement(const std::vector<Sample> &samples);
 
 inline constexpr double farApartM = 0.2; ///< beyond it no camera was moved: the views see different things
 

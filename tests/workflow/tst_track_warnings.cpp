@@ -158,6 +158,23 @@ private Q_SLOTS:
                                 "registered; look at the outlines, and tell the robot's colour or keep others out of the pictures"));
     }
 
+    void viewsThatContradictOneAnotherAreSaid()
+    {
+        AnalysisRecord analysis;
+        analysis.robotName = std::string("Blue 1");
+        analysis.views = {"A", "B"};
+        analysis.profile.samples.resize(100);
+        for (int i = 0; i < 100; ++i) {
+            analysis.profile.samples[std::size_t(i)].viewDisagreementM = 0.02 + 1e-5 * i;
+            analysis.profile.samples[std::size_t(i)].flags = i % 2 ? flagBit(SampleFlag::ViewsDisagree) : 0;
+        }
+        const auto sentences = analysisWarnings(analysis, "t");
+        QCOMPARE(sentences.size(), std::size_t(1));
+        QCOMPARE(QString::fromStdString(sentences.front()),
+                 QStringLiteral("robot 'Blue 1' in trial 't': in 50 of 100 pictures the views contradict one another: they put it 20.5 mm apart; a camera was moved after it was "
+                                "registered, the views are out of step, or the robot's height is not what was told; register the cameras again"));
+    }
+
     void hardlyEverFoundIsAnError()
     {
         RobotRecord robot;

@@ -212,13 +212,16 @@ std::vector<std::string> analysisSentences()
             AnalysisRecord analysis;
             analysis.robotName = "Hall";
             analysis.doubtfulNames.assign(std::size_t(count), {Nanoseconds(3'204'000'000), Nanoseconds(3'898'000'000), {}, others});
-            analysis.views = {"A", "B"}; // which have it far apart
+            analysis.views = {"A", "B"}; // which have it far apart, or contradict one another
             Sample apart;
-            apart.viewDisagreementM = 1.5;
             apart.flags = flagBit(SampleFlag::ViewsDisagree);
             analysis.profile.samples.assign(12, apart);
-            for (const std::string &warning : analysisWarnings(analysis, "Left"))
-                words.push_back(warning);
+            for (const double apartM : {1.5, 0.0213}) {
+                for (Sample &sample : analysis.profile.samples)
+                    sample.viewDisagreementM = apartM;
+                for (const std::string &warning : analysisWarnings(analysis, "Left"))
+                    words.push_back(warning);
+            }
         }
     return words;
 }

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/contradiction.h"
+
+#include <QTest>
+#include <algorithm>
+#include <random>
+
+using namespace odo;
+
+namespace {
+
+constexpr double sigmaM = 0.001;
+constexpr std::size_t times = 300;
+
+/// A view's sightings at 30 a second of a robot that drives straight on, with its noise, and beside the truth by as much.
+std::vector<Sighting> viewBeside(const Eigen::Vector2d &besideM, unsigned seed)
+{
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0, sigmaM / std::sqrt(2.0));
+    std::vector<Sighting> sightings(times);
+    for (std::size_t i = 0; i < times; ++i) {
+        sightings[i].time = Nanoseconds(std::int64_t(i) * 33'333'333);
+        sightings[i].seen = true;
+        sightings[i].place.pointInWorld = Eigen::Vector2d(0.01 * double(i), 0) + besideM + Eigen::Vector2d(noise(random), noise(random));
+        sightings[i].place.pixelCovariance = sightings[i].place.calibrationCovariance = Eigen::Matrix2d::Identity() * sigmaM * sigmaM / 2;
+    }
+    return sightings;
+}
+
+double sigmaOf(const Sighting &sighting)
+{
+    return std::sqrt((sighting.place.pixelCovariance + sighting.place.calibrationCovariance).trace() / 2);
+}
+
+bool any(const std::vector<bool> &all)
+{
+    return std::ranges::count(all, true) > 0;
+}
+
+} // namespace
+
+class TestContradiction : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void viewsThatAgreeStayAsTheyAre()
+    {
+        for (unsigned seed = 1; seed <= 50; ++seed) {
+            std::vector<std::vector<Sighting>> views{viewBeside({0, 0}, 2 * seed), viewBeside({0, 0}, 2 * seed + 1)};
+            QVERIFY(!any(widenByContradiction(views)));
+            QCOMPARE(sigmaOf(views[0][7]), sigmaM);
+        }
+    }
+
+    /// 20 mm apart at a stated 1 mm each: half of it is what the middle may be off, on either axis.
+    void aMovedCameraWidensBoth()
+    {
+        std::vector<std::vector<Sighting>> views{viewBeside({0.02, 0}, 1), viewBeside({0, 0}, 2)};
+        const auto isContradicted = widenByContradiction(views);
+        QCOMPARE(std::ranges::count(isContradicted, true), std::ptrdiff_t(times));
+        const FusedPosition fused = fuse(std::vector<ViewPosition>{{0, views[0][100].place}, {1, views[1][100].place}});
+        const double sigma = std::sqrt((fused.covariance + fused.commonCovariance).trace() / 2);
+        QVERIFY2(std::abs(sigma - 0.0071) < 0.0005, qPrintable(QString::number(sigma))); // 20 mm / 2 / √2
+        QVERIFY(std::abs(fused.position.x() - 1 - 0.01) < 0.002);
+        QVERIFY(fused.covariance.trace() < sigmaM * sigmaM); // from frame to frame it is as well known as before
+    }
+
+    void fromTheMomentOnOnWhichItIsMoved()
+    {
+        std::vector<std::vector<Sighting>> views{viewBeside({0, 0}, 1), viewBeside({0, 0}, 2)};
+        for (std::size_t i = 150; i < times; ++i)
+            views[0][i].place.pointInWorld.y() += 0.03;
+        const auto isContradicted = widenByContradiction(views);
+        for (std::size_t i = 0; i < times; ++i)
+            QVERIFY(i < 148 ? !isContradicted[i] : i < 153 || isContradicted[i]);
+    }
+
+    /// The view that no other one bears out is doubted.
+    void ofThreeViewsTheOddOneIsWidened()
+    {
+        std::vector<std::vector<Sighting>> views{viewBeside({0, 0}, 1), viewBeside({0, 0.02}, 2), viewBeside({0, 0}, 3)};
+        QVERIFY(any(widenByContradiction(views)));
+        QCOMPARE(sigmaOf(views[0][100]), sigmaM);
+        QVERIFY(sigmaOf(views[1][100]) > 0.01);
+        QCOMPARE(sigmaOf(views[2][100]), sigmaM);
+    }
+
+    /// Half a second is a false sighting, and half a metre something else: neither is a camera that was moved.
+    void falseSightingsAreNone()
+    {
+        std::vector<std::vector<Sighting>> glance{viewBeside({0, 0}, 1), viewBeside({0, 0}, 2)}, apart{viewBeside({0.5, 0}, 1), viewBeside({0, 0}, 2)};
+        for (std::size_t i = 100; i < 115; ++i)
+            glance[0][i].place.pointInWorld.y() += 0.1;
+        QVERIFY(!any(widenByContradiction(glance)));
+        QVERIFY(!any(widenByContradiction(apart)));
+        std::vector<std::vector<Sighting>> none, alone{viewBeside({0, 0}, 1)};
+        QVERIFY(widenByContradiction(none).empty());
+        QVERIFY(!any(widenByContradiction(alone)));
+    }
+
+    void whereNothingIsLeftItIsWhy()
+    {
+        std::vector<Sample> samples(100);
+        QVERIFY(checkAgreement(samples));
+        for (Sample &sample : samples) {
+            sample.position = Eigen::Vector2d(0, 0);
+            sample.viewDisagreementM = 0.208;
+            sample.flags = flagBit(SampleFlag::ViewsDisagree) | flagBit(SampleFlag::Jump);
+        }
+        const auto refused = checkAgreement(samples);
+        QVERIFY(!refused);
+        QCOMPARE(QString::fromStdString(refused.error().why),
+                 QStringLiteral("the views put it 208 mm apart: a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else"));
+        for (std::size_t i = 0; i < 20; ++i)
+            samples[i].flags = 0;
+        QVERIFY(checkAgreement(samples));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestContradiction)
+#include "tst_contradiction.moc"
