@@ -6,6 +6,7 @@
 #include "core/workflow/shadow_choice.h"
 
 #include <QTemporaryDir>
+#include <algorithm>
 #include <cmath>
 
 namespace odo::test {
@@ -29,6 +30,8 @@ SceneFigures compared(const Profile &profile, const SimulatedScene &scene)
         figures.insideShare += (std::abs(off.x()) < 1.96 * point.sigmaXM) + (std::abs(off.y()) < 1.96 * point.sigmaYM);
         count += 1;
     }
+    figures.disagreeShare = double(std::ranges::count_if(profile.samples, [](const Sample &sample) { return hasFlag(sample.flags, SampleFlag::ViewsDisagree); })) /
+                            double(profile.samples.size());
     figures.rmsM = std::sqrt(figures.rmsM / count);
     figures.velocityRms = std::sqrt(figures.velocityRms / count);
     figures.accelerationRms = std::sqrt(figures.accelerationRms / count);
@@ -41,8 +44,8 @@ SceneFigures compared(const Profile &profile, const SimulatedScene &scene)
 
 QString SceneFigures::words() const
 {
-    return QStringLiteral("found %1, %2 mm, %3 inside, %4 mm/s, %5 mm/s2, %6 spikes")
-        .arg(foundShare, 0, 'f', 3).arg(1e3 * rmsM, 0, 'f', 2).arg(insideShare, 0, 'f', 2).arg(1e3 * velocityRms, 0, 'f', 1).arg(1e3 * accelerationRms, 0, 'f', 0).arg(spikes);
+    return QStringLiteral("found %1, %2 mm, %3 inside, %4 mm/s, %5 mm/s2, %6 spikes, views disagree in %7")
+        .arg(foundShare, 0, 'f', 3).arg(1e3 * rmsM, 0, 'f', 2).arg(insideShare, 0, 'f', 2).arg(1e3 * velocityRms, 0, 'f', 1).arg(1e3 * accelerationRms, 0, 'f', 0).arg(spikes).arg(disagreeShare, 0, 'f', 2);
 }
 
 Result<std::vector<RegisteredView>> renderedViews(const SimulatedScene &scene, const std::filesystem::path &folder)
@@ -65,22 +68,27 @@ Result<std::vector<RegisteredView>> renderedViews(const SimulatedScene &scene, c
     return views;
 }
 
+Result<SceneFigures> measuredByViews(const SimulatedScene &scene, const std::vector<RegisteredView> &views, const std::optional<RgbColour> &colour)
+{
+    RobotRecord robot;
+    robot.name = scene.robots.front().name;
+    robot.colour = colour;
+    auto tracked = trackAndSettle(views, {robot}, {});
+    if (!tracked)
+        return tl::unexpected(tracked.error());
+    const auto profile = analyse(takeViewTracks(views, tracked->views, 0), shapeOf(robot), {});
+    if (!profile)
+        return tl::unexpected(profile.error());
+    return compared(*profile, scene);
+}
+
 Result<SceneFigures> measuredScene(const SimulatedScene &scene, const std::optional<RgbColour> &colour)
 {
     const QTemporaryDir folder;
     const auto views = renderedViews(scene, folder.path().toStdString());
     if (!views)
         return tl::unexpected(views.error());
-    RobotRecord robot;
-    robot.name = scene.robots.front().name;
-    robot.colour = colour;
-    auto tracked = trackAndSettle(*views, {robot}, {});
-    if (!tracked)
-        return tl::unexpected(tracked.error());
-    const auto profile = analyse(takeViewTracks(*views, tracked->views, 0), shapeOf(robot), {});
-    if (!profile)
-        return tl::unexpected(profile.error());
-    return compared(*profile, scene);
+    return measuredByViews(scene, *views, colour);
 }
 
 } // namespace odo::test

@@ -19,6 +19,7 @@ struct SceneFigures
     double insideShare = 0; ///< of the coordinates that the stated 95 % hold
     double velocityRms = 0, accelerationRms = 0;
     int spikes = 0;
+    double disagreeShare = 0; ///< of the frames, in which the views contradict one another
 
     QString words() const;
 };
@@ -26,7 +27,9 @@ struct SceneFigures
 /// The scene's videos, rendered into a folder, of cameras that are known exactly.
 Result<std::vector<RegisteredView>> renderedViews(const SimulatedScene &scene, const std::filesystem::path &folder);
 
-/// Renders the scene's videos, tracks and analyses them by cameras that are known exactly. colour: told, or none.
+/// Tracks and analyses rendered views. colour: told, or none.
+Result<SceneFigures> measuredByViews(const SimulatedScene &scene, const std::vector<RegisteredView> &views, const std::optional<RgbColour> &colour = {});
+/// Renders the scene's videos, tracks and analyses them by cameras that are known exactly.
 Result<SceneFigures> measuredScene(const SimulatedScene &scene, const std::optional<RgbColour> &colour = {});
 
 } // namespace odo::test
