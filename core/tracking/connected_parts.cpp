@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
+#include <utility>
 
 namespace odo {
 
@@ -33,19 +35,21 @@ public:
         }
     }
 
-    std::vector<ConnectedPart> parts()
+    ConnectedParts parts()
     {
-        std::vector<ConnectedPart> parts;
-        std::vector<std::size_t> numbers(m_runs.size());
+        std::vector<std::size_t> numbers(m_runs.size()), places; // of each run its part's; of each part where its next run belongs
         for (std::size_t i = 0; i < m_runs.size(); ++i) {
             const std::size_t first = firstOf(i);
-            if (first == i) {
-                numbers[i] = parts.size();
-                parts.emplace_back();
-            }
-            parts[numbers[first]].push_back(m_runs[i]);
+            numbers[i] = first == i ? places.size() : numbers[first];
+            if (first == i)
+                places.push_back(0);
+            ++places[numbers[i]];
         }
-        return parts;
+        std::exclusive_scan(places.begin(), places.end(), places.begin(), std::size_t(0));
+        std::vector<PixelRun> runs(m_runs.size());
+        for (std::size_t i = 0; i < m_runs.size(); ++i)
+            runs[places[numbers[i]]++] = m_runs[i];
+        return ConnectedParts(std::move(runs), places);
     }
 
 private:
@@ -67,7 +71,17 @@ private:
 
 } // namespace
 
-std::vector<ConnectedPart> connectedParts(const BitMask &set)
+ConnectedParts::ConnectedParts(std::vector<PixelRun> runs, const std::vector<std::size_t> &ends) : m_runs(std::move(runs))
+{
+    m_parts.reserve(ends.size());
+    std::size_t begin = 0;
+    for (const std::size_t end : ends) {
+        m_parts.emplace_back(m_runs.data() + begin, end - begin);
+        begin = end;
+    }
+}
+
+ConnectedParts connectedParts(const BitMask &set)
 {
     return LinkedRuns(set, 1).parts();
 }
@@ -102,7 +116,7 @@ bool enclosesAny(const ConnectedPart &part)
 BitMask withoutHoles(const BitMask &set)
 {
     // What encloses pixels even where it only touches at a corner: around it the rest hangs together by sides.
-    const std::vector<ConnectedPart> rest = LinkedRuns(set.padded(1).complement(), 0).parts();
+    const ConnectedParts rest = LinkedRuns(set.padded(1).complement(), 0).parts();
     if (rest.size() == 1)
         return set;
     BitMask filled = set;

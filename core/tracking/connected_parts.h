@@ -3,6 +3,7 @@
 
 #include "core/tracking/bit_mask.h"
 
+#include <span>
 #include <vector>
 
 namespace odo {
@@ -14,10 +15,33 @@ struct PixelRun
 };
 
 /// Pixels that hang together: their runs from top to bottom, each row's from left to right.
-using ConnectedPart = std::vector<PixelRun>;
+using ConnectedPart = std::span<const PixelRun>;
 
-/// The parts of a set, the one with the topmost pixel first. Pixels that only touch at a corner hang together. Pure.
-std::vector<ConnectedPart> connectedParts(const BitMask &set);
+/// The parts of a set, the one with the topmost pixel first. Holds their runs.
+class ConnectedParts
+{
+public:
+    ConnectedParts() = default;
+    /// Runs part by part; ends: of each part, how many runs there are up to its last.
+    ConnectedParts(std::vector<PixelRun> runs, const std::vector<std::size_t> &ends);
+    ConnectedParts(const ConnectedParts &) = delete;
+    ConnectedParts &operator=(const ConnectedParts &) = delete;
+    ConnectedParts(ConnectedParts &&) noexcept = default;
+    ConnectedParts &operator=(ConnectedParts &&) noexcept = default;
+
+    std::size_t size() const { return m_parts.size(); }
+    bool empty() const { return m_parts.empty(); }
+    const ConnectedPart &operator[](std::size_t i) const { return m_parts[i]; }
+    auto begin() const { return m_parts.begin(); }
+    auto end() const { return m_parts.end(); }
+
+private:
+    std::vector<PixelRun> m_runs;
+    std::vector<ConnectedPart> m_parts; ///< of the runs
+};
+
+/// Pixels that only touch at a corner hang together. Pure.
+ConnectedParts connectedParts(const BitMask &set);
 PixelRect boundsOf(const ConnectedPart &part);
 bool contains(const ConnectedPart &part, int x, int y);
 

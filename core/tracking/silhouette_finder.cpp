@@ -190,8 +190,8 @@ void SilhouetteFinder::Impl::takeGroup(const Frame &frame, const std::vector<Dif
 void SilhouetteFinder::Impl::takeRegions(const BitMask &taken, const BitMask &clear)
 {
     const BitMask closed = taken.closed(gapRadius);
-    const std::vector<ConnectedPart> parts = connectedParts(closed);
-    std::vector<ConnectedPart> pieces;
+    const ConnectedParts parts = connectedParts(closed);
+    ConnectedParts pieces;
     if (parts.size() > 1)
         pieces = connectedParts(closed | window.differs());
     BitMask enclosed(closed.width(), closed.height());
@@ -214,7 +214,7 @@ void SilhouetteFinder::Impl::takeRegions(const BitMask &taken, const BitMask &cl
         const BitMask edgePixels = edgeOf(region);
         if (isGhost(window, edgePixels, part) || !measure(std::move(region), edgePixels, part, clear, silhouette))
             continue;
-        const auto piece = std::ranges::find_if(pieces, [&](const ConnectedPart &one) { return contains(one, first.x0, first.y); });
+        const auto piece = std::find_if(pieces.begin(), pieces.end(), [&](const ConnectedPart &one) { return contains(one, first.x0, first.y); });
         silhouette.shadowPiece = firstPiece + int(piece - pieces.begin());
         found.push_back(std::move(silhouette));
     }

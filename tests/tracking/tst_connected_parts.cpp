@@ -72,7 +72,7 @@ private Q_SLOTS:
 
     void whatIsEnclosedIsKnownFromTheRuns()
     {
-        const auto encloses = [](const std::vector<std::string> &rows) { return enclosesAny(connectedParts(drawn(rows)).front()); };
+        const auto encloses = [](const std::vector<std::string> &rows) { return enclosesAny(connectedParts(drawn(rows))[0]); };
         QVERIFY(encloses({".###.", "#...#", ".###."})); // corners close it
         QVERIFY(encloses({"##.##", "#.#.#", "#####"}));
         QVERIFY(!encloses({"###", "#..", "###"}));
