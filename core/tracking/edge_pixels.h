@@ -17,10 +17,10 @@ struct EdgePixels
     enum Sum { insideCount, insideLuma, insideU, insideV, outsideCount, outsideLight };
     static constexpr int lightUnit = 4096;
 
-    std::size_t count = 0; ///< in use of the values below
-    std::vector<std::size_t> at;                   ///< where they are, for whoever fills in the values
+    std::size_t count = 0;         ///< in use of the values below
+    std::vector<std::size_t> at;   ///< where they are, for whoever fills in the values
     std::vector<Sums> around;
-    std::vector<float> luma, u, v;                 ///< as seen
+    std::vector<float> luma, u, v; ///< as seen
     std::vector<float> lumaBehind, uBehind, vBehind; ///< of the floor in full light
     std::vector<float> lumaNoise2, chromaNoise2;
     std::vector<std::array<float, 2>> found;

@@ -112,6 +112,26 @@ private Q_SLOTS:
         }
     }
 
+    /// A robot dark above and white below: the mean of both is about as bright as the floor, so that only the colour beside an edge tells where it is.
+    void edgesAreMeasuredByTheColourBesideThem()
+    {
+        const Painter floor = texturedFloor(format);
+        SilhouetteFinder finder(learned(floor));
+        std::mt19937 random(3);
+        for (int i = 0; i < 10; ++i) {
+            const Eigen::Vector2d shift(0.1 * i, 0.07 * i);
+            Painter picture = floor;
+            picture.rectangle(low + shift, high + shift, {20, 20, 20});
+            picture.rectangle(Eigen::Vector2d(low.x(), low.y() + 14) + shift, high + shift, {245, 245, 245});
+            const auto &seen = finder.find(picture.frame(0, 0, 2, random));
+            QCOMPARE(seen.size(), std::size_t(1));
+            const double offPx = (seen.front().moments.centrePx - ((low + high) / 2 + shift)).norm();
+            QVERIFY2(offPx < 0.4, qPrintable(QString::number(offPx)));
+            for (const std::size_t direction : {0, 12})
+                QVERIFY2(std::abs(seen.front().supportPx[direction] - 24) < 0.9F, qPrintable(QString::number(seen.front().supportPx[direction])));
+        }
+    }
+
     /// A wheel of two pixels, of which a side as grey as the floor parts the body.
     void aNarrowPartStaysInTheOutline_data()
     {
