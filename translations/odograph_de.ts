@@ -6633,7 +6633,7 @@
     </message>
     <message>
         <source>in %1 of %2 pictures the views have it at places far apart</source>
-        <translation>in %1 von %2 Bildern sehen ihn die Ansichten an weit entfernten Orten</translation>
+        <translation>in %1 von %2 Bildern sehen ihn die Sichten an weit entfernten Orten</translation>
     </message>
     <message>
         <source>one of them follows something else, or is not where it was registered</source>
@@ -6645,11 +6645,11 @@
     </message>
     <message>
         <source>robot &apos;%1&apos; in view &apos;%2&apos;</source>
-        <translation>Roboter &apos;%1&apos; in Ansicht &apos;%2&apos;</translation>
+        <translation>Roboter &apos;%1&apos; in Sicht &apos;%2&apos;</translation>
     </message>
     <message>
         <source>robot &apos;%1&apos; pointed out in view &apos;%2&apos;</source>
-        <translation>Roboter &apos;%1&apos;, gezeigt in Ansicht &apos;%2&apos;</translation>
+        <translation>Roboter &apos;%1&apos;, gezeigt in Sicht &apos;%2&apos;</translation>
     </message>
     <message>
         <source>nothing stands out from the floor at %1,%2 at %3 s for some frames</source>
@@ -6669,7 +6669,7 @@
     </message>
     <message>
         <source>the trial has no such view</source>
-        <translation>der Versuch hat keine solche Ansicht</translation>
+        <translation>der Versuch hat keine solche Sicht</translation>
     </message>
     <message>
         <source>name one of its cameras</source>
@@ -6677,7 +6677,7 @@
     </message>
     <message>
         <source>the view has no picture at that time</source>
-        <translation>die Ansicht hat zu dieser Zeit kein Bild</translation>
+        <translation>die Sicht hat zu dieser Zeit kein Bild</translation>
     </message>
     <message>
         <source>name a time within the trial, in seconds</source>
@@ -6729,7 +6729,7 @@
     </message>
     <message>
         <source>in %1 of %2 pictures the views contradict one another</source>
-        <translation>in %1 von %2 Bildern widersprechen sich die Ansichten</translation>
+        <translation>in %1 von %2 Bildern widersprechen sich die Sichten</translation>
     </message>
     <message>
         <source>they put it %1 mm apart</source>
@@ -6737,7 +6737,7 @@
     </message>
     <message>
         <source>a camera was moved after it was registered, the views are out of step, or the robot&apos;s height is not what was told</source>
-        <translation>eine Kamera wurde nach dem Einmessen bewegt, die Ansichten laufen nicht synchron, oder der Roboter ist nicht so hoch wie angegeben</translation>
+        <translation>eine Kamera wurde nach dem Einmessen bewegt, die Sichten laufen nicht synchron, oder der Roboter ist nicht so hoch wie angegeben</translation>
     </message>
     <message>
         <source>register the cameras again</source>
@@ -6745,11 +6745,11 @@
     </message>
     <message>
         <source>the views put it %1 mm apart</source>
-        <translation>die Ansichten setzen ihn %1 mm auseinander</translation>
+        <translation>die Sichten setzen ihn %1 mm auseinander</translation>
     </message>
     <message>
         <source>a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else</source>
-        <translation>eine Kamera wurde nach dem Einmessen bewegt, die Videos gehören zu anderen Kameras, oder eine Ansicht folgt etwas anderem</translation>
+        <translation>eine Kamera wurde nach dem Einmessen bewegt, die Videos gehören zu anderen Kameras, oder eine Sicht folgt etwas anderem</translation>
     </message>
     <message>
         <source>look at the outlines, and register the cameras again</source>
@@ -8396,6 +8396,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>do not rely on them</source>
         <translation>nicht verlässlich</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Sichten</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>zweifelhaft</translation>
     </message>
 </context>
 <context>
@@ -12419,7 +12427,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
     <message>
         <source>Outline what was taken for a robot in each view</source>
-        <translation>Zeichnet in jeder Ansicht den Umriss dessen, was für einen Roboter gehalten wurde</translation>
+        <translation>Zeichnet in jeder Sicht den Umriss dessen, was für einen Roboter gehalten wurde</translation>
     </message>
 </context>
 <context>

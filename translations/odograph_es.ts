@@ -8397,6 +8397,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>do not rely on them</source>
         <translation>no son fiables</translation>
     </message>
+    <message>
+        <source>Views</source>
+        <translation>Vistas</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>dudoso</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>

@@ -8397,6 +8397,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>do not rely on them</source>
         <translation>ne pas s’y fier</translation>
     </message>
+    <message>
+        <source>Views</source>
+        <translation>Vues</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>douteux</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>

@@ -8391,6 +8391,14 @@ Much more than expected means that something is not as it was told: the views ar
         <source>do not rely on them</source>
         <translation>신뢰할 수 없음</translation>
     </message>
+    <message>
+        <source>Views</source>
+        <translation>뷰</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>의심</translation>
+    </message>
 </context>
 <context>
     <name>TrialReport</name>

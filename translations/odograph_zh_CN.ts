@@ -6091,7 +6091,7 @@
     </message>
     <message>
         <source>the cameras</source>
-        <translation>摄像机</translation>
+        <translation>相机</translation>
     </message>
     <message>
         <source>live tracking</source>
@@ -6099,7 +6099,7 @@
     </message>
     <message>
         <source>a picture of camera %1</source>
-        <translation>摄像机 %1 的一张图片</translation>
+        <translation>相机 %1 的一张图片</translation>
     </message>
     <message>
         <source>this computer has not enough free memory for it</source>
@@ -6367,7 +6367,7 @@
     </message>
     <message>
         <source>leave out those that no camera sees</source>
-        <translation>去掉没有摄像机能看到的标记</translation>
+        <translation>去掉没有相机能看到的标记</translation>
     </message>
     <message>
         <source>marker &apos;%1&apos; is not on a floor of 1 km</source>
@@ -6447,7 +6447,7 @@
     </message>
     <message>
         <source>give the rate at which the camera took the frames</source>
-        <translation>请给出摄像机拍摄的帧率</translation>
+        <translation>请给出相机拍摄的帧率</translation>
     </message>
     <message>
         <source>looking through the media folder</source>
@@ -6631,11 +6631,11 @@
     </message>
     <message>
         <source>in %1 of %2 pictures the views have it at places far apart</source>
-        <translation>%2 幅画面中有 %1 幅，各视图给出的位置相距很远</translation>
+        <translation>%2 幅画面中有 %1 幅，各视角给出的位置相距很远</translation>
     </message>
     <message>
         <source>one of them follows something else, or is not where it was registered</source>
-        <translation>其中一个视图跟踪了别的东西，或者摄像机不在注册时的位置</translation>
+        <translation>其中一个视角跟踪了别的东西，或者相机不在配准时的位置</translation>
     </message>
     <message>
         <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
@@ -6643,11 +6643,11 @@
     </message>
     <message>
         <source>robot &apos;%1&apos; in view &apos;%2&apos;</source>
-        <translation>视图“%2”中的机器人“%1”</translation>
+        <translation>视角“%2”中的机器人“%1”</translation>
     </message>
     <message>
         <source>robot &apos;%1&apos; pointed out in view &apos;%2&apos;</source>
-        <translation>在视图“%2”中指出的机器人“%1”</translation>
+        <translation>在视角“%2”中指出的机器人“%1”</translation>
     </message>
     <message>
         <source>nothing stands out from the floor at %1,%2 at %3 s for some frames</source>
@@ -6667,15 +6667,15 @@
     </message>
     <message>
         <source>the trial has no such view</source>
-        <translation>该试验没有这个视图</translation>
+        <translation>该试验没有这个视角</translation>
     </message>
     <message>
         <source>name one of its cameras</source>
-        <translation>请指定它的一台摄像机</translation>
+        <translation>请指定它的一台相机</translation>
     </message>
     <message>
         <source>the view has no picture at that time</source>
-        <translation>该视图在那个时刻没有画面</translation>
+        <translation>该视角在那个时刻没有画面</translation>
     </message>
     <message>
         <source>name a time within the trial, in seconds</source>
@@ -6727,7 +6727,7 @@
     </message>
     <message>
         <source>in %1 of %2 pictures the views contradict one another</source>
-        <translation>%2 幅画面中有 %1 幅，各视图相互矛盾</translation>
+        <translation>%2 幅画面中有 %1 幅，各视角相互矛盾</translation>
     </message>
     <message>
         <source>they put it %1 mm apart</source>
@@ -6735,7 +6735,7 @@
     </message>
     <message>
         <source>a camera was moved after it was registered, the views are out of step, or the robot&apos;s height is not what was told</source>
-        <translation>某台相机在配准后被移动、各视图不同步，或机器人的高度与所给的不符</translation>
+        <translation>某台相机在配准后被移动、各视角不同步，或机器人的高度与所给的不符</translation>
     </message>
     <message>
         <source>register the cameras again</source>
@@ -6743,11 +6743,11 @@
     </message>
     <message>
         <source>the views put it %1 mm apart</source>
-        <translation>各视图给出的位置相差 %1 mm</translation>
+        <translation>各视角给出的位置相差 %1 mm</translation>
     </message>
     <message>
         <source>a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else</source>
-        <translation>某台相机在配准后被移动、视频属于其他相机，或某个视图跟踪了别的东西</translation>
+        <translation>某台相机在配准后被移动、视频属于其他相机，或某个视角跟踪了别的东西</translation>
     </message>
     <message>
         <source>look at the outlines, and register the cameras again</source>
@@ -8390,6 +8390,14 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>do not rely on them</source>
         <translation>不可信</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>视角</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>可疑</translation>
     </message>
 </context>
 <context>
@@ -12400,7 +12408,7 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
     <message>
         <source>Outline what was taken for a robot in each view</source>
-        <translation>在每个视图中描出被当作机器人的部分的轮廓</translation>
+        <translation>在每个视角中描出被当作机器人的部分的轮廓</translation>
     </message>
 </context>
 <context>

@@ -32,8 +32,30 @@ double partFound(const std::vector<TrackedView> &tracked, std::size_t robot)
     return frames > 0 ? double(found) / double(frames) : 0;
 }
 
-/// Empty where the views agree, but for some moments.
-std::string apartSentence(const Profile &profile)
+} // namespace
+
+std::string robotInTrial(const std::string &robotName, const std::string &trialName)
+{
+    return "robot '" + robotName + "' in trial '" + trialName + "'";
+}
+
+std::vector<std::string> analysisWarnings(const AnalysisRecord &analysis, const std::string &trialName)
+{
+    std::vector<std::string> sentences;
+    if (!analysis.views.empty()) // of an imported track no camera could be moved
+        sentences = describeUnseenStretches(analysis.profile, analysis.options.longestBridgedGap);
+    if (analysis.proof == AnalysisRecord::Proof::Broken)
+        sentences.insert(sentences.begin(), changedResults);
+    if (const std::string apart = viewsApartSentence(analysis.profile); !apart.empty())
+        sentences.push_back(apart);
+    if (!analysis.doubtfulNames.empty())
+        sentences.push_back(doubtfulNamesSentence(analysis.doubtfulNames, analysis.robotName) + "; give each a colour of its own");
+    for (std::string &sentence : sentences)
+        sentence = robotInTrial(analysis.robotName, trialName) + ": " + sentence;
+    return sentences;
+}
+
+std::string viewsApartSentence(const Profile &profile)
 {
     static constexpr double mostApart = 0.1; // of what several views saw
     std::size_t seen = 0;
@@ -52,29 +74,6 @@ std::string apartSentence(const Profile &profile)
                        "keep others out of the pictures";
     return where + "contradict one another: they put it " + formatNumber(1000 * medianM, 1) +
            " mm apart; a camera was moved after it was registered, the views are out of step, or the robot's height is not what was told; register the cameras again";
-}
-
-} // namespace
-
-std::string robotInTrial(const std::string &robotName, const std::string &trialName)
-{
-    return "robot '" + robotName + "' in trial '" + trialName + "'";
-}
-
-std::vector<std::string> analysisWarnings(const AnalysisRecord &analysis, const std::string &trialName)
-{
-    std::vector<std::string> sentences;
-    if (!analysis.views.empty()) // of an imported track no camera could be moved
-        sentences = describeUnseenStretches(analysis.profile, analysis.options.longestBridgedGap);
-    if (analysis.proof == AnalysisRecord::Proof::Broken)
-        sentences.insert(sentences.begin(), changedResults);
-    if (const std::string apart = apartSentence(analysis.profile); !apart.empty())
-        sentences.push_back(apart);
-    if (!analysis.doubtfulNames.empty())
-        sentences.push_back(doubtfulNamesSentence(analysis.doubtfulNames, analysis.robotName) + "; give each a colour of its own");
-    for (std::string &sentence : sentences)
-        sentence = robotInTrial(analysis.robotName, trialName) + ": " + sentence;
-    return sentences;
 }
 
 std::string doubtfulNamesSentence(std::span<const DoubtfulName> doubts, const std::string &robotName)

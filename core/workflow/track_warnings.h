@@ -18,6 +18,9 @@ std::string robotInTrial(const std::string &robotName, const std::string &trialN
 /// an imported track), whose views see different things, or whose robot may have been taken for another one of its look. From what is stored, so that they can be told at any time.
 std::vector<std::string> analysisWarnings(const AnalysisRecord &analysis, const std::string &trialName);
 
+/// "in 40 of 200 pictures the views contradict one another: …", or have it far apart, with what to do. Empty where they agree, but for some moments.
+std::string viewsApartSentence(const Profile &profile);
+
 /// "from 3.20 s to 3.90 s it is doubtful whether this is Blue 1 or Blue 2": a robot and those that it may be as well. Of several stretches the
 /// first one, how many there are, and all those robots. Empty for none.
 std::string doubtfulNamesSentence(std::span<const DoubtfulName> doubts, const std::string &robotName);

@@ -3,6 +3,7 @@
 
 #include "core/base/file_system.h"
 #include "core/trajectory/gate_passages.h"
+#include "core/workflow/track_warnings.h"
 #include "ui/models/analysis_words.h"
 #include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
@@ -197,6 +198,13 @@ QList<Fact> trialFacts(const TrialScene &scene)
                           TrialFactsWords::tr("%1: changed in the file since they were analysed. Analyse the trial again.")
                               .arg(QString::fromStdString(robot.robot.name)),
                           {TrialFactsWords::tr("do not rely on them"), BadgeState::Bad}});
+    }
+    for (const SceneRobot &robot : scene.robots) {
+        const std::string apart = robot.analysis && !robot.analysis->views.empty() ? viewsApartSentence(robot.analysis->profile) : std::string();
+        if (!apart.empty())
+            facts.append({TrialFactsWords::tr("Views"),
+                          joinedWords(QString::fromStdString(robot.robot.name), shownWords(apart)),
+                          {TrialFactsWords::tr("doubtful"), BadgeState::Warning}});
     }
     add(TrialFactsWords::tr("Date"), dateText(trial.date));
     if (scene.layout)

@@ -40,6 +40,29 @@ private Q_SLOTS:
         QCOMPARE(fact->value.contains(QStringLiteral("\n15 to 65 ms apart")), isUneven);
     }
 
+    void viewsThatContradictOneAnotherAreDoubtful()
+    {
+        auto scene = std::make_shared<TrialScene>(*exampleScene({.frames = 60}));
+        const auto isSaid = [&scene] {
+            const QList<Fact> facts = trialFacts(*scene);
+            return std::ranges::find(facts, QStringLiteral("Views"), &Fact::name) != facts.end();
+        };
+        auto analysis = *scene->robots.front().analysis;
+        analysis.views = {"A", "B"};
+        for (Sample &sample : analysis.profile.samples)
+            sample.viewDisagreementM = 0.0213;
+        scene->robots.front().analysis = analysis;
+        QVERIFY(!isSaid());
+        for (Sample &sample : analysis.profile.samples)
+            sample.flags |= flagBit(SampleFlag::ViewsDisagree);
+        scene->robots.front().analysis = analysis;
+        const QList<Fact> facts = trialFacts(*scene);
+        const auto fact = std::ranges::find(facts, QStringLiteral("Views"), &Fact::name);
+        QVERIFY(fact != facts.end());
+        QCOMPARE(fact->badge.text, QStringLiteral("doubtful"));
+        QVERIFY2(fact->value.contains(QStringLiteral("in 60 of 60 pictures the views contradict one another: they put it 21.3 mm apart")), qPrintable(fact->value));
+    }
+
 private:
     QTemporaryFile m_video;
 };
