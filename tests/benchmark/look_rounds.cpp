@@ -45,44 +45,51 @@ Result<LookClip> provideClip(const std::filesystem::path &folder, std::size_t ro
     return clip;
 }
 
-std::optional<Background> learnedFrom(const LookClip &clip)
+/// Reads a clip's frames, and gives each to a function; tells the time that reading takes.
+template <class Take>
+double readFrames(const LookClip &clip, const Take &take)
 {
+    double decodeS = 0;
     const auto reader = VideoReader::open(clip.file);
-    BackgroundLearner learner;
-    while (reader) {
-        const auto frame = (*reader)->next();
-        if (!frame || !*frame)
-            break;
-        learner.add(**frame);
-    }
-    return learner.learned();
-}
-
-LookRound runRound(const LookClip &clip, const Background &background)
-{
-    LookRound round;
-    const auto reader = VideoReader::open(clip.file);
-    SilhouetteTracker tracker(background, clip.robots);
-    const auto subtractor = cv::createBackgroundSubtractorMOG2();
-    cv::Mat bgr, mask;
-    cv::setNumThreads(1);
     while (reader) {
         const double begin = threadCpuS();
         const auto frame = (*reader)->next();
         if (!frame || !*frame)
             break;
-        const double decoded = threadCpuS();
-        for (const Observation &observation : tracker.track(**frame))
-            round.found += observation.found;
-        const double tracked = threadCpuS();
-        cv::cvtColor(stackedPlanes(**frame), bgr, cv::COLOR_YUV2BGR_I420);
-        const double converted = threadCpuS();
-        subtractor->apply(bgr, mask);
-        round.subtractS += workS(converted, threadCpuS());
-        round.decodeS += workS(begin, decoded);
-        round.trackS += workS(decoded, tracked);
-        ++round.frames;
+        decodeS += workS(begin, threadCpuS());
+        take(**frame);
     }
+    return decodeS;
+}
+
+std::optional<Background> learnedFrom(const LookClip &clip)
+{
+    BackgroundLearner learner;
+    readFrames(clip, [&](const Frame &frame) { learner.add(frame); });
+    return learner.learned();
+}
+
+/// Tracks as the program does, and then subtracts: the other's model would drive all that the tracker knows out of the processor's caches between two frames.
+LookRound runRound(const LookClip &clip, const Background &background)
+{
+    LookRound round;
+    SilhouetteTracker tracker(background, clip.robots);
+    round.decodeS = readFrames(clip, [&](const Frame &frame) {
+        const double begin = threadCpuS();
+        for (const Observation &observation : tracker.track(frame))
+            round.found += observation.found;
+        round.trackS += workS(begin, threadCpuS());
+        ++round.frames;
+    });
+    const auto subtractor = cv::createBackgroundSubtractorMOG2();
+    cv::Mat bgr, mask;
+    cv::setNumThreads(1);
+    readFrames(clip, [&](const Frame &frame) {
+        cv::cvtColor(stackedPlanes(frame), bgr, cv::COLOR_YUV2BGR_I420);
+        const double begin = threadCpuS();
+        subtractor->apply(bgr, mask);
+        round.subtractS += workS(begin, threadCpuS());
+    });
     return round;
 }
 
