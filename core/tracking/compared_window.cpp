@@ -11,8 +11,7 @@ namespace odo {
 
 namespace {
 
-constexpr int marginPx = 8; // around what differs: as far as an edge's surroundings are looked at
-
+constexpr int marginPx = 8;        // around what differs: as far as an edge's surroundings are looked at
 constexpr int windowRowsAhead = 6; // that are fetched before they are read
 
 /// Samples of a chroma plane about neutral in another light, as far as chroma is coded.
