@@ -268,10 +268,10 @@ Result<MeasuredRobot> measure(const std::vector<ViewTrack> &views, const RobotSh
     FusionSettings settings;
     settings.planeSigmaM = placed->planeSigmaM;
     settings.measurement = estimateOutlineNoise(placed->views);
-    const std::vector<bool> isContradicted = shape.heightVaries ? std::vector<bool>() : widenByContradiction(placed->views);
+    const std::vector<double> apartM = shape.heightVaries ? std::vector<double>() : settleContradictions(placed->views);
     MeasuredRobot robot{fuseViews(times, frames, placed->views, settings), settings.measurement, placed->heightM,
                         placed->estimated, placed->clearanceM};
-    flagContradictions(robot.track, isContradicted);
+    flagContradictions(robot.track, apartM);
     chooseByMotion(robot.track, settings, options.longestBridgedGap);
     alignSingleViews(robot.track, placed->views, views);
     applyOverrules(robot.track.samples, options.overrules);

@@ -7,7 +7,6 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <limits>
 
 namespace odo {
 
@@ -16,6 +15,7 @@ namespace {
 constexpr Nanoseconds reach = std::chrono::seconds(1); // to both sides of a time
 constexpr std::size_t fewestTimes = 10;                // in it, that tell anything
 constexpr double leastContradiction = 13.82;           // of χ²(2): 99.9 %
+constexpr double studentFactor2 = 4.82;                // (4.303 / 1.960)²: what lasts is one draw, of two degrees of freedom
 
 /// Two views' places at a time of both.
 struct Difference
@@ -43,11 +43,17 @@ std::vector<Difference> differencesOf(const std::vector<Sighting> &a, const std:
     return differences;
 }
 
-/// At each time of a pair of views, by how much their variances are too small; 1: by nothing, or it isn't known.
-std::vector<double> factorsOf(const std::vector<Sighting> &a, const std::vector<Sighting> &b)
+/// What is found of a pair of views at a time that both saw.
+struct PairFinding
+{
+    bool isSeen = false;
+    double factor = 1, apartM = 0; ///< by which their variances are too small; 1: by nothing, or it isn't known
+};
+
+std::vector<PairFinding> findingsOf(const std::vector<Sighting> &a, const std::vector<Sighting> &b)
 {
     const std::vector<Difference> differences = differencesOf(a, b);
-    std::vector<double> factors(a.size(), 1);
+    std::vector<PairFinding> findings(a.size());
     std::size_t begin = 0, end = 0;
     std::vector<double> chiSquared, apartM;
     for (const Difference &here : differences) {
@@ -55,6 +61,7 @@ std::vector<double> factorsOf(const std::vector<Sighting> &a, const std::vector<
             ++begin;
         while (end < differences.size() && differences[end].time <= here.time + reach)
             ++end;
+        findings[here.index].isSeen = true;
         if (end - begin < fewestTimes)
             continue;
         chiSquared.clear();
@@ -65,50 +72,67 @@ std::vector<double> factorsOf(const std::vector<Sighting> &a, const std::vector<
         }
         const double median = upperMedian(chiSquared);
         if (median > leastContradiction && upperMedian(apartM) < farApartM)
-            factors[here.index] = median / 2;
+            findings[here.index] = {true, studentFactor2 * median / 2, here.apartM};
     }
-    return factors;
+    return findings;
+}
+
+struct ViewPair
+{
+    std::size_t a = 0, b = 0;
+    std::vector<PairFinding> findings; ///< at each time
+};
+
+/// Widens or leaves out what contradicts at one time; gives how far apart it is.
+double settleAt(std::size_t i, const std::vector<ViewPair> &pairs, std::vector<std::vector<Sighting>> &views)
+{
+    double apartM = 0;
+    bool doAnyAgree = false;
+    std::vector<double> least(views.size(), 0); // factor of a view's pairs; 0: no other saw it
+    for (const ViewPair &pair : pairs) {
+        const PairFinding &finding = pair.findings[i];
+        if (!finding.isSeen)
+            continue;
+        apartM = std::max(apartM, finding.factor > 1 ? finding.apartM : 0);
+        doAnyAgree |= finding.factor == 1;
+        for (const std::size_t view : {pair.a, pair.b})
+            least[view] = least[view] == 0 ? finding.factor : std::min(least[view], finding.factor);
+    }
+    for (std::size_t v = 0; apartM > 0 && v < views.size(); ++v) {
+        Sighting &sighting = views[v][i];
+        if (least[v] <= 1)
+            continue;
+        if (doAnyAgree)
+            sighting.seen = false;
+        else
+            sighting.place.calibrationCovariance += (least[v] - 1) * covarianceOf(sighting);
+    }
+    return apartM;
 }
 
 } // namespace
 
-std::vector<bool> widenByContradiction(std::vector<std::vector<Sighting>> &views)
+std::vector<double> settleContradictions(std::vector<std::vector<Sighting>> &views)
 {
-    if (views.empty())
-        return {};
-    constexpr double unknown = std::numeric_limits<double>::infinity();
-    const std::size_t times = views.front().size();
-    std::vector<std::vector<double>> least(views.size(), std::vector<double>(times, unknown)); // of a view's pairs
-    for (std::size_t a = 0; a < views.size(); ++a) {
-        for (std::size_t b = a + 1; b < views.size(); ++b) {
-            const std::vector<double> factors = factorsOf(views[a], views[b]);
-            for (std::size_t i = 0; i < times; ++i) {
-                if (!views[a][i].seen || !views[b][i].seen)
-                    continue;
-                least[a][i] = std::min(least[a][i], factors[i]);
-                least[b][i] = std::min(least[b][i], factors[i]);
-            }
-        }
-    }
-    std::vector<bool> isContradicted(times);
-    for (std::size_t v = 0; v < views.size(); ++v) {
-        for (std::size_t i = 0; i < times; ++i) {
-            if (least[v][i] == unknown || least[v][i] <= 1)
-                continue;
-            isContradicted[i] = true;
-            views[v][i].place.calibrationCovariance += (least[v][i] - 1) * covarianceOf(views[v][i]);
-        }
-    }
-    return isContradicted;
+    std::vector<ViewPair> pairs;
+    for (std::size_t a = 0; a < views.size(); ++a)
+        for (std::size_t b = a + 1; b < views.size(); ++b)
+            pairs.push_back({a, b, findingsOf(views[a], views[b])});
+    std::vector<double> apartM(views.empty() ? 0 : views.front().size());
+    for (std::size_t i = 0; i < apartM.size(); ++i)
+        apartM[i] = settleAt(i, pairs, views);
+    return apartM;
 }
 
-void flagContradictions(FusedTrack &track, const std::vector<bool> &isContradicted)
+void flagContradictions(FusedTrack &track, const std::vector<double> &apartM)
 {
-    for (std::size_t i = 0; i < isContradicted.size(); ++i) {
-        if (!isContradicted[i] || !track.samples[i].viewDisagreementM)
+    for (std::size_t i = 0; i < apartM.size(); ++i) {
+        Sample &sample = track.samples[i];
+        if (apartM[i] == 0)
             continue;
         track.evidence[i].isContradicted = true;
-        track.samples[i].flags |= flagBit(SampleFlag::ViewsDisagree);
+        sample.flags |= flagBit(SampleFlag::ViewsDisagree);
+        sample.viewDisagreementM = std::max(sample.viewDisagreementM.value_or(0), apartM[i]);
     }
 }
 

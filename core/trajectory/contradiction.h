@@ -10,14 +10,15 @@
 namespace odo {
 
 /// Finds where views put a robot at different places for longer than a false sighting lasts, by more than their covariances allow for: a camera was moved
-/// after it was registered, the views are out of step, a height that was told is wrong. What is found is added to the calibrations' part of the covariances of
-/// the views that no other one bears out, until the views agree: their covariance times half the median over two seconds of χ²(2) (Birge 1932: the ratio by which errors
-/// that were stated too small are widened). Views that lie apart by more than farApartM see different things, and are left as they are.
-/// views: sightings of each view at the same times, on the plane used. Tells of each time whether it was so. Pure.
-std::vector<bool> widenByContradiction(std::vector<std::vector<Sighting>> &views);
-
-/// Sets ViewsDisagree where it was so.
-void flagContradictions(FusedTrack &track, const std::vector<bool> &isContradicted);
+/// after it was registered, the views are out of step, a height that was told is wrong. A view that two others contradict which agree is left out: it is no
+/// longer seen. Otherwise the covariances of the views that contradict one another are widened until they agree, by their calibrations' part: to half the median over two seconds of
+/// χ²(2) times what they were (Birge 1932: the ratio by which errors that were stated too small are widened), and by Student's factor besides, for what lasts is
+/// known of one draw. Views that lie apart by more than farApartM see
+/// different things, and are left as they are. views: sightings of each view at the same times, on the plane used. Gives of each time how far the views are
+/// apart, metres; 0 where they don't contradict one another. Pure.
+std::vector<double> settleContradictions(std::vector<std::vector<Sighting>> &views);
+/// Sets ViewsDisagree where they contradict one another, and how far they are apart.
+void flagContradictions(FusedTrack &track, const std::vector<double> &apartM);
 /// An Error where hardly a sample is used because the views contradict one another.
 Result<void> checkAgreement(const std::vector<Sample> &samples);
 

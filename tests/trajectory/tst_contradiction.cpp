@@ -32,9 +32,14 @@ double sigmaOf(const Sighting &sighting)
     return std::sqrt((sighting.place.pixelCovariance + sighting.place.calibrationCovariance).trace() / 2);
 }
 
-bool any(const std::vector<bool> &all)
+bool isContradicted(double apartM)
 {
-    return std::ranges::count(all, true) > 0;
+    return apartM > 0;
+}
+
+bool any(const std::vector<double> &apartM)
+{
+    return std::ranges::any_of(apartM, isContradicted);
 }
 
 } // namespace
@@ -47,20 +52,20 @@ private Q_SLOTS:
     {
         for (unsigned seed = 1; seed <= 50; ++seed) {
             std::vector<std::vector<Sighting>> views{viewBeside({0, 0}, 2 * seed), viewBeside({0, 0}, 2 * seed + 1)};
-            QVERIFY(!any(widenByContradiction(views)));
+            QVERIFY(!any(settleContradictions(views)));
             QCOMPARE(sigmaOf(views[0][7]), sigmaM);
         }
     }
 
-    /// 20 mm apart at a stated 1 mm each: half of it is what the middle may be off, on either axis.
+    /// 20 mm apart at a stated 1 mm each, known of one draw: 95 % must hold 1.5 times as much on either axis.
     void aMovedCameraWidensBoth()
     {
         std::vector<std::vector<Sighting>> views{viewBeside({0.02, 0}, 1), viewBeside({0, 0}, 2)};
-        const auto isContradicted = widenByContradiction(views);
-        QCOMPARE(std::ranges::count(isContradicted, true), std::ptrdiff_t(times));
+        const std::vector<double> apartM = settleContradictions(views);
+        QVERIFY(std::ranges::all_of(apartM, [](double one) { return std::abs(one - 0.02) < 0.006; }));
         const FusedPosition fused = fuse(std::vector<ViewPosition>{{0, views[0][100].place}, {1, views[1][100].place}});
         const double sigma = std::sqrt((fused.covariance + fused.commonCovariance).trace() / 2);
-        QVERIFY2(std::abs(sigma - 0.0071) < 0.0005, qPrintable(QString::number(sigma))); // 20 mm / 2 / √2
+        QVERIFY2(std::abs(sigma - 0.0155) < 0.001, qPrintable(QString::number(sigma))); // 20 mm / 2 / √2 · 4.30 / 1.96
         QVERIFY(std::abs(fused.position.x() - 1 - 0.01) < 0.002);
         QVERIFY(fused.covariance.trace() < sigmaM * sigmaM); // from frame to frame it is as well known as before
     }
@@ -70,19 +75,28 @@ private Q_SLOTS:
         std::vector<std::vector<Sighting>> views{viewBeside({0, 0}, 1), viewBeside({0, 0}, 2)};
         for (std::size_t i = 150; i < times; ++i)
             views[0][i].place.pointInWorld.y() += 0.03;
-        const auto isContradicted = widenByContradiction(views);
+        const std::vector<double> apartM = settleContradictions(views);
         for (std::size_t i = 0; i < times; ++i)
-            QVERIFY(i < 148 ? !isContradicted[i] : i < 153 || isContradicted[i]);
+            QVERIFY(i < 148 ? !isContradicted(apartM[i]) : i < 153 || isContradicted(apartM[i]));
     }
 
-    /// The view that no other one bears out is doubted.
-    void ofThreeViewsTheOddOneIsWidened()
+    void ofThreeViewsTheOddOneIsLeftOut()
     {
         std::vector<std::vector<Sighting>> views{viewBeside({0, 0}, 1), viewBeside({0, 0.02}, 2), viewBeside({0, 0}, 3)};
-        QVERIFY(any(widenByContradiction(views)));
-        QCOMPARE(sigmaOf(views[0][100]), sigmaM);
-        QVERIFY(sigmaOf(views[1][100]) > 0.01);
-        QCOMPARE(sigmaOf(views[2][100]), sigmaM);
+        QVERIFY(any(settleContradictions(views)));
+        for (const std::size_t v : {std::size_t(0), std::size_t(2)}) {
+            QCOMPARE(sigmaOf(views[v][100]), sigmaM);
+            QVERIFY(views[v][100].seen);
+        }
+        QVERIFY(!views[1][100].seen);
+    }
+
+    void ofThreeThatAllContradictAllAreWidened()
+    {
+        std::vector<std::vector<Sighting>> views{viewBeside({0, 0}, 1), viewBeside({0, 0.02}, 2), viewBeside({0.02, 0}, 3)};
+        QVERIFY(any(settleContradictions(views)));
+        for (const auto &view : views)
+            QVERIFY(view[100].seen && sigmaOf(view[100]) > 0.008);
     }
 
     /// Half a second is a false sighting, and half a metre something else: neither is a camera that was moved.
@@ -91,11 +105,11 @@ private Q_SLOTS:
         std::vector<std::vector<Sighting>> glance{viewBeside({0, 0}, 1), viewBeside({0, 0}, 2)}, apart{viewBeside({0.5, 0}, 1), viewBeside({0, 0}, 2)};
         for (std::size_t i = 100; i < 115; ++i)
             glance[0][i].place.pointInWorld.y() += 0.1;
-        QVERIFY(!any(widenByContradiction(glance)));
-        QVERIFY(!any(widenByContradiction(apart)));
+        QVERIFY(!any(settleContradictions(glance)));
+        QVERIFY(!any(settleContradictions(apart)));
         std::vector<std::vector<Sighting>> none, alone{viewBeside({0, 0}, 1)};
-        QVERIFY(widenByContradiction(none).empty());
-        QVERIFY(!any(widenByContradiction(alone)));
+        QVERIFY(settleContradictions(none).empty());
+        QVERIFY(!any(settleContradictions(alone)));
     }
 
     void whereNothingIsLeftItIsWhy()

@@ -68,11 +68,8 @@ Result<std::vector<RegisteredView>> renderedViews(const SimulatedScene &scene, c
     return views;
 }
 
-Result<SceneFigures> measuredByViews(const SimulatedScene &scene, const std::vector<RegisteredView> &views, const std::optional<RgbColour> &colour)
+Result<SceneFigures> measuredByViews(const SimulatedScene &scene, const std::vector<RegisteredView> &views, const RobotRecord &robot)
 {
-    RobotRecord robot;
-    robot.name = scene.robots.front().name;
-    robot.colour = colour;
     auto tracked = trackAndSettle(views, {robot}, {});
     if (!tracked)
         return tl::unexpected(tracked.error());
@@ -88,7 +85,10 @@ Result<SceneFigures> measuredScene(const SimulatedScene &scene, const std::optio
     const auto views = renderedViews(scene, folder.path().toStdString());
     if (!views)
         return tl::unexpected(views.error());
-    return measuredByViews(scene, *views, colour);
+    RobotRecord robot;
+    robot.name = scene.robots.front().name;
+    robot.colour = colour;
+    return measuredByViews(scene, *views, robot);
 }
 
 } // namespace odo::test

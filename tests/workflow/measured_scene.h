@@ -27,8 +27,8 @@ struct SceneFigures
 /// The scene's videos, rendered into a folder, of cameras that are known exactly.
 Result<std::vector<RegisteredView>> renderedViews(const SimulatedScene &scene, const std::filesystem::path &folder);
 
-/// Tracks and analyses rendered views. colour: told, or none.
-Result<SceneFigures> measuredByViews(const SimulatedScene &scene, const std::vector<RegisteredView> &views, const std::optional<RgbColour> &colour = {});
+/// Tracks and analyses rendered views. robot: what is told of the scene's first one.
+Result<SceneFigures> measuredByViews(const SimulatedScene &scene, const std::vector<RegisteredView> &views, const RobotRecord &robot);
 /// Renders the scene's videos, tracks and analyses them by cameras that are known exactly.
 Result<SceneFigures> measuredScene(const SimulatedScene &scene, const std::optional<RgbColour> &colour = {});
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/demo_robots.h"
 #include "core/simulation/demo_testbed.h"
-#include "core/simulation/wheeled_body.h"
 #include "tests/workflow/measured_scene.h"
 
 #include <Eigen/Geometry>
@@ -13,13 +13,23 @@ using namespace odo::test;
 
 namespace {
 
-SimulatedScene roverOnCircle()
+SimulatedScene robotOnCircle()
 {
     SimulatedScene scene = demoTestbed(51);
     scene.durationS = 4;
-    std::vector<RobotPart> parts{{SimulatedShape::Box, {200, 60, 50}, {0, 0, 0.05}, {0.22, 0.14, 0.05}}};
-    scene.robots = {robotOfParts("robot", onFourWheels(std::move(parts), {28, 28, 30}, 0.07, 0.085, 0.03, 0.028), makeCircleMotion({1.5, 1.1}, 0.7, 0.7, 0.6))};
+    scene.robots = {demoRobot("robot", {.colour = demoBlue}, makeCircleMotion({1.5, 1.1}, 0.7, 0.7, 0.6))};
     return scene;
+}
+
+/// Its height is told: an unknown solid could explain a part of what the views are apart.
+RobotRecord told()
+{
+    RobotRecord robot;
+    robot.name = "robot";
+    robot.colour = demoBlue;
+    robot.heightMode = RobotRecord::Height::Told;
+    robot.heightM = 0.06;
+    return robot;
 }
 
 /// As registered before the camera was turned by an angle about the vertical, with what a registration leaves open.
@@ -42,7 +52,7 @@ private Q_SLOTS:
     /// The stated error holds the truth, and it is said that the views contradict one another.
     void whatACameraWasTurnedByIsInTheError()
     {
-        const SimulatedScene scene = roverOnCircle();
+        const SimulatedScene scene = robotOnCircle();
         const QTemporaryDir folder;
         auto views = renderedViews(scene, folder.path().toStdString());
         QVERIFY2(views.has_value(), views ? "" : views.error().message().c_str());
@@ -51,24 +61,11 @@ private Q_SLOTS:
         const FloorView truth = *(*views)[0].floorView;
         for (const double turnDegrees : {0.0, 0.2, 0.5, 1.0}) {
             (*views)[0].floorView = registeredBefore(truth, turnDegrees * std::numbers::pi / 180);
-            const auto figures = measuredByViews(scene, *views);
+            const auto figures = measuredByViews(scene, *views, told());
             QVERIFY2(figures.has_value(), figures ? "" : figures.error().message().c_str());
-            QVERIFY2(figures->insideShare > 0.9 && figures->foundShare > 0.99 && figures->spikes <= 2, qPrintable(figures->words()));
+            QVERIFY2(figures->insideShare > 0.9 && figures->foundShare > 0.99 && figures->spikes <= 5, qPrintable(figures->words()));
             QVERIFY2(turnDegrees == 0 ? figures->disagreeShare < 0.01 && figures->rmsM < 0.003 : figures->disagreeShare > 0.9, qPrintable(figures->words()));
         }
-    }
-
-    /// So far that hardly a robot's length of it is common: then that is the reason.
-    void aCameraThatWasTurnedFarIsRefused()
-    {
-        const SimulatedScene scene = roverOnCircle();
-        const QTemporaryDir folder;
-        auto views = renderedViews(scene, folder.path().toStdString());
-        QVERIFY2(views.has_value(), views ? "" : views.error().message().c_str());
-        (*views)[0].floorView = registeredBefore(scene.cameras[0].view, 0.2);
-        const auto figures = measuredByViews(scene, *views);
-        QVERIFY(!figures);
-        QVERIFY2(figures.error().why.starts_with("the views put it ") && figures.error().why.find("a camera was moved") != std::string::npos, figures.error().message().c_str());
     }
 };
 
