@@ -25,11 +25,6 @@ struct Difference
     double chiSquared = 0, apartM = 0;
 };
 
-Eigen::Matrix2d covarianceOf(const Sighting &sighting)
-{
-    return sighting.place.pixelCovariance + sighting.place.calibrationCovariance;
-}
-
 std::vector<Difference> differencesOf(const std::vector<Sighting> &a, const std::vector<Sighting> &b)
 {
     std::vector<Difference> differences;
@@ -37,7 +32,7 @@ std::vector<Difference> differencesOf(const std::vector<Sighting> &a, const std:
         if (!a[i].seen || !b[i].seen || a[i].cut || b[i].cut)
             continue;
         const Eigen::Vector2d apart = a[i].place.pointInWorld - b[i].place.pointInWorld;
-        const Eigen::Matrix2d covariance = covarianceOf(a[i]) + covarianceOf(b[i]);
+        const Eigen::Matrix2d covariance = totalCovariance(a[i].place) + totalCovariance(b[i].place);
         differences.push_back({i, a[i].time, apart.dot(covariance.inverse() * apart), apart.norm()});
     }
     return differences;
@@ -105,7 +100,7 @@ double settleAt(std::size_t i, const std::vector<ViewPair> &pairs, std::vector<s
         if (doAnyAgree)
             sighting.seen = false;
         else
-            sighting.place.calibrationCovariance += (least[v] - 1) * covarianceOf(sighting);
+            sighting.place.calibrationCovariance += (least[v] - 1) * totalCovariance(sighting.place);
     }
     return apartM;
 }
@@ -136,23 +131,28 @@ void flagContradictions(FusedTrack &track, const std::vector<double> &apartM)
     }
 }
 
-Result<void> checkAgreement(const std::vector<Sample> &samples)
+ViewsApart viewsApart(const std::vector<Sample> &samples)
 {
-    constexpr double leastUsed = 0.1; // of those that several views saw
-    std::size_t seen = 0, used = 0;
-    std::vector<double> apartM;
+    ViewsApart found;
     for (const Sample &sample : samples) {
         if (!sample.viewDisagreementM)
             continue;
-        ++seen;
-        used += isUsed(sample);
+        ++found.seen;
+        found.used += isUsed(sample);
         if (hasFlag(sample.flags, SampleFlag::ViewsDisagree))
-            apartM.push_back(*sample.viewDisagreementM);
+            found.apartM.push_back(*sample.viewDisagreementM);
     }
-    if (2 * apartM.size() < seen || double(used) >= leastUsed * double(seen) || apartM.empty())
+    return found;
+}
+
+Result<void> checkAgreement(const std::vector<Sample> &samples)
+{
+    constexpr double leastUsed = 0.1; // of those that several views saw
+    ViewsApart found = viewsApart(samples);
+    if (2 * found.apartM.size() < found.seen || double(found.used) >= leastUsed * double(found.seen) || found.apartM.empty())
         return {};
     return fail(ErrorCode::Undetermined, cannotMeasurePath,
-                "the views put it " + formatNumber(1000 * upperMedian(std::move(apartM)), 0) +
+                "the views put it " + formatNumber(1000 * upperMedian(std::move(found.apartM)), 0) +
                     " mm apart: a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else",
                 "look at the outlines, and register the cameras again");
 }

@@ -19,6 +19,13 @@ namespace odo {
 std::vector<double> settleContradictions(std::vector<std::vector<Sighting>> &views);
 /// Sets ViewsDisagree where they contradict one another, and how far they are apart.
 void flagContradictions(FusedTrack &track, const std::vector<double> &apartM);
+/// What the views contradict one another by in the samples that several of them saw.
+struct ViewsApart
+{
+    std::size_t seen = 0, used = 0; ///< samples that several views saw, and those of them that are used
+    std::vector<double> apartM;     ///< of those that are flagged ViewsDisagree
+};
+ViewsApart viewsApart(const std::vector<Sample> &samples);
 /// An Error where hardly a sample is used because the views contradict one another.
 Result<void> checkAgreement(const std::vector<Sample> &samples);
 

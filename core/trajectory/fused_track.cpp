@@ -107,8 +107,7 @@ std::optional<std::size_t> onlyFit(const std::vector<ViewPosition> &contenders,
     std::optional<std::size_t> fit;
     for (std::size_t c = 0; c < contenders.size(); ++c) {
         const Eigen::Matrix2d s = estimate.covariance.topLeftCorner<2, 2>() +
-                                  contenders[c].place.pixelCovariance +
-                                  contenders[c].place.calibrationCovariance +
+                                  totalCovariance(contenders[c].place) +
                                   Eigen::Matrix2d::Identity() * singleViewSigmaM * singleViewSigmaM;
         const Eigen::Vector2d d = contenders[c].place.pointInWorld - estimate.position();
         if (d.dot(s.inverse() * d) > refusalGate)

@@ -19,14 +19,9 @@ constexpr double largestSigmaM = 0.03;
 // Enough for any floor; groups are enumerated.
 constexpr std::size_t mostViews = 12;
 
-Eigen::Matrix2d total(const FloorPosition &place)
-{
-    return place.pixelCovariance + place.calibrationCovariance;
-}
-
 Eigen::Matrix2d differenceCovariance(const FloorPosition &a, const FloorPosition &b)
 {
-    return total(a) + total(b) + Eigen::Matrix2d::Identity() * (2 * modelSigmaM * modelSigmaM);
+    return totalCovariance(a) + totalCovariance(b) + Eigen::Matrix2d::Identity() * (2 * modelSigmaM * modelSigmaM);
 }
 
 double distanceSquared(const FloorPosition &a, const FloorPosition &b)
@@ -37,16 +32,21 @@ double distanceSquared(const FloorPosition &a, const FloorPosition &b)
 
 } // namespace
 
+Eigen::Matrix2d totalCovariance(const FloorPosition &place)
+{
+    return place.pixelCovariance + place.calibrationCovariance;
+}
+
 FusedPosition fuse(std::span<const ViewPosition> positions)
 {
     Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
     for (const ViewPosition &one : positions)
-        information += total(one.place).inverse();
+        information += totalCovariance(one.place).inverse();
     const Eigen::Matrix2d covariance = information.inverse();
 
     FusedPosition fused;
     for (const ViewPosition &one : positions) {
-        const Eigen::Matrix2d weight = covariance * total(one.place).inverse();
+        const Eigen::Matrix2d weight = covariance * totalCovariance(one.place).inverse();
         fused.position += weight * one.place.pointInWorld;
         fused.covariance += weight * one.place.pixelCovariance * weight.transpose();
         fused.commonCovariance += weight * one.place.calibrationCovariance * weight.transpose();

@@ -17,6 +17,9 @@ struct ViewPosition
     FloorPosition place;
 };
 
+/// The part of single frames and the part of the calibration together, m².
+Eigen::Matrix2d totalCovariance(const FloorPosition &place);
+
 /// Several views' word, joined.
 struct FusedPosition
 {

@@ -50,6 +50,12 @@ struct OcclusionRun
     }
 };
 
+/// Whether it is known where it was at each sample.
+bool isWatched(const OcclusionRobot &robot)
+{
+    return robot.profile && !robot.profile->samples.empty() && robot.profile->samples.size() == robot.profile->points.size();
+}
+
 /// All robots as one view sees them.
 class WatchedView
 {
@@ -185,11 +191,11 @@ private:
 
     std::optional<Place> placeAt(std::size_t robot, Nanoseconds time) const
     {
-        const Profile *profile = m_robots[robot].profile;
-        if (!profile || profile->samples.size() != profile->points.size())
+        if (!isWatched(m_robots[robot]))
             return std::nullopt;
-        const auto at = std::ranges::lower_bound(profile->samples, time, {}, &Sample::time);
-        return at == profile->samples.end() ? std::nullopt : placeOf(robot, profile->points[static_cast<std::size_t>(at - profile->samples.begin())]);
+        const Profile &profile = *m_robots[robot].profile;
+        const auto at = std::ranges::lower_bound(profile.samples, time, {}, &Sample::time);
+        return at == profile.samples.end() ? std::nullopt : placeOf(robot, profile.points[static_cast<std::size_t>(at - profile.samples.begin())]);
     }
 
     const OcclusionView &m_view;
@@ -216,11 +222,6 @@ std::vector<OcclusionRun> joinedEvents(const std::vector<OcclusionRun> &runs)
         event = both;
     }
     return events;
-}
-
-bool isWatched(const OcclusionRobot &robot)
-{
-    return robot.profile && !robot.profile->samples.empty() && robot.profile->samples.size() == robot.profile->points.size();
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "core/trajectory/view_disagreement.h"
 
 #include "core/trajectory/floor_positions.h"
+#include "core/trajectory/fusion.h"
 #include "core/trajectory/view_interpolation.h"
 
 #include <algorithm>
@@ -32,8 +33,7 @@ double expectedSquare(const std::vector<std::vector<Sighting>> &views, std::size
         const Sighting &sighting = view[sample];
         if (!sighting.seen)
             continue;
-        const double variance =
-            (sighting.place.pixelCovariance + sighting.place.calibrationCovariance).trace();
+        const double variance = totalCovariance(sighting.place).trace();
         second = std::max(second, std::min(largest, variance));
         largest = std::max(largest, variance);
     }

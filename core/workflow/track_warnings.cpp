@@ -58,17 +58,11 @@ std::vector<std::string> analysisWarnings(const AnalysisRecord &analysis, const 
 std::string viewsApartSentence(const Profile &profile)
 {
     static constexpr double mostApart = 0.1; // of what several views saw
-    std::size_t seen = 0;
-    std::vector<double> apartM;
-    for (const Sample &sample : profile.samples) {
-        seen += sample.viewDisagreementM.has_value();
-        if (sample.viewDisagreementM && hasFlag(sample.flags, SampleFlag::ViewsDisagree))
-            apartM.push_back(*sample.viewDisagreementM);
-    }
-    if (double(apartM.size()) <= mostApart * double(seen))
+    ViewsApart found = viewsApart(profile.samples);
+    if (double(found.apartM.size()) <= mostApart * double(found.seen))
         return {};
-    const std::string where = "in " + std::to_string(apartM.size()) + " of " + std::to_string(seen) + " pictures the views ";
-    const double medianM = upperMedian(std::move(apartM));
+    const std::string where = "in " + std::to_string(found.apartM.size()) + " of " + std::to_string(found.seen) + " pictures the views ";
+    const double medianM = upperMedian(std::move(found.apartM));
     if (medianM > farApartM)
         return where + "have it at places far apart: one of them follows something else, or is not where it was registered; look at the outlines, and tell the robot's colour or "
                        "keep others out of the pictures";

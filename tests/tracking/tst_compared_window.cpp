@@ -79,6 +79,19 @@ Frame frameOf(const Painter &painter, double noise)
     return painter.frame(0, 0, noise, random);
 }
 
+/// A frame beside its background, in the first window around what differs.
+struct ComparedFrame
+{
+    DifferenceLattice lattice;
+    ComparedWindow window;
+
+    ComparedFrame(const Frame &frame, const Background &background) : lattice(background), window(background)
+    {
+        lattice.compare(frame, background);
+        window.compare(frame, lattice.gain(), windowsAround(lattice.differences(), picture).front().front());
+    }
+};
+
 } // namespace
 
 class TestComparedWindow : public QObject
@@ -142,10 +155,8 @@ private Q_SLOTS:
             const Eigen::Vector2d low(99.5 + shift, 79.5 + shift / 2), high(149.5 + shift, 119.5 + shift / 2);
             painter.rectangle(low, high, {220, 220, 220});
             const Frame frame = frameOf(painter, 0);
-            DifferenceLattice lattice(background);
-            lattice.compare(frame, background);
-            ComparedWindow window(background);
-            window.compare(frame, lattice.gain(), windowsAround(lattice.differences(), picture).front().front());
+            const ComparedFrame compared(frame, background);
+            const ComparedWindow &window = compared.window;
             FloorShade shade;
             shade.find(window);
             QVERIFY(shade.shade().isEmpty() && shade.byHue().isEmpty());
@@ -177,10 +188,8 @@ private Q_SLOTS:
             else
                 painter.rectangle(low, high, {90, 84, 72}); // as brown as the floor, but flat
             const Frame frame = frameOf(painter, 0);
-            DifferenceLattice lattice(background);
-            lattice.compare(frame, background);
-            ComparedWindow window(background);
-            window.compare(frame, lattice.gain(), windowsAround(lattice.differences(), picture).front().front());
+            const ComparedFrame compared(frame, background);
+            const ComparedWindow &window = compared.window;
             FloorShade shade;
             shade.find(window);
             const double share = double(shade.shade().count()) / (50 * 40);
@@ -204,10 +213,8 @@ private Q_SLOTS:
         painter.rectangle({119.5, 103.5}, {159.5, 149.5}, {88, 84, 77});
         painter.light(light);
         const Frame frame = frameOf(painter, 1);
-        DifferenceLattice lattice(background);
-        lattice.compare(frame, background);
-        ComparedWindow window(background);
-        window.compare(frame, lattice.gain(), windowsAround(lattice.differences(), picture).front().front());
+        const ComparedFrame compared(frame, background);
+        const ComparedWindow &window = compared.window;
         FloorShade shade;
         for (int round = 0; round < 2; ++round) // the second with the memory of the first
             shade.find(window);

@@ -6,12 +6,12 @@
 #include "ui/views/chart_bubbles.h"
 #include "ui/views/chart_span.h"
 #include "ui/views/theme.h"
+#include "ui/views/tool_tip.h"
 
 #include <QApplication>
 #include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -146,10 +146,7 @@ bool ChartArea::event(QEvent *event)
     const auto *help = static_cast<QHelpEvent *>(event);
     const Nanoseconds time = timeAt(help->pos().x());
     const QString words = plotRect().contains(help->pos()) ? doubtfulWordsAt(m_stretches, time, timeAt(help->pos().x() + reachPx) - time) : QString();
-    if (words.isEmpty())
-        QToolTip::hideText();
-    else
-        QToolTip::showText(help->globalPos(), words, this);
+    showToolTip(*help, words, this);
     return true;
 }
 

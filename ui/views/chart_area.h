@@ -46,6 +46,8 @@ public:
     QPointF positionOf(Nanoseconds time, double value) const;
     /// The curves of the scene are there; those of a long one take a moment.
     bool isSettled() const { return !m_maker->isRunning(); }
+    /// Something is shaded.
+    bool hasDoubtfulStretches() const { return !m_stretches.empty(); }
 
     QSize sizeHint() const override { return {640, 180}; }
     QSize minimumSizeHint() const override { return {220, 110}; }

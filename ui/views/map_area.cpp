@@ -6,6 +6,7 @@
 #include "ui/models/timeline.h"
 #include "ui/views/chart_painting.h"
 #include "ui/views/theme.h"
+#include "ui/views/tool_tip.h"
 #include "ui/views/trail_painting.h"
 #include "ui/views/trial_map.h"
 
@@ -13,7 +14,6 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QStringList>
-#include <QToolTip>
 #include <algorithm>
 
 namespace odo {
@@ -182,10 +182,7 @@ bool MapArea::event(QEvent *event)
     const auto *help = static_cast<QHelpEvent *>(event);
     const auto time = timeNear(help->pos());
     const QString words = time ? doubtfulWordsAt(m_stretches, *time) : QString();
-    if (words.isEmpty())
-        QToolTip::hideText();
-    else
-        QToolTip::showText(help->globalPos(), words, this);
+    showToolTip(*help, words, this);
     return true;
 }
 

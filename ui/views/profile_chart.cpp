@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/profile_chart.h"
 
-#include "ui/models/doubtful_stretches.h"
 #include "ui/models/figure_text.h"
 #include "ui/views/chart_area.h"
 #include "ui/views/chart_picture.h"
@@ -143,7 +142,7 @@ void ProfileChart::describe()
         remark += tr("of the motion, anticlockwise from X");
     if (m_quantity == Quantity::TurnRate && analysed)
         remark += tr("anticlockwise positive");
-    if (m_scene && !doubtfulStretches(*m_scene).empty())
+    if (m_area->hasDoubtfulStretches())
         remark += tr("shaded: hidden or doubtful");
     setRemark(remark.join(QStringLiteral(" · ")));
     m_area->setAccessibleName((m_span.against() == ChartSpan::Against::Time

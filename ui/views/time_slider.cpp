@@ -4,11 +4,11 @@
 #include "ui/models/timeline.h"
 #include "ui/views/axis_ticks.h"
 #include "ui/views/theme.h"
+#include "ui/views/tool_tip.h"
 
 #include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QToolTip>
 
 namespace odo {
 
@@ -158,10 +158,7 @@ bool TimeSlider::event(QEvent *event)
     constexpr double reachPx = 4;
     const double x = help->pos().x();
     const QString words = doubtfulWordsAt(m_stretches, timeAt(x), timeAt(x + reachPx) - timeAt(x));
-    if (words.isEmpty())
-        QToolTip::hideText();
-    else
-        QToolTip::showText(help->globalPos(), words, this);
+    showToolTip(*help, words, this);
     return true;
 }
 
