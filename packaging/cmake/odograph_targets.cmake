@@ -94,7 +94,7 @@ function(odograph_library name)
   odograph_precompile(${name} ${kind})
 endfunction()
 
-# Hundreds of tests are linked: what binutils brings besides takes a fifth of the time.
+# What binutils brings besides takes a fifth of the time of linking tests.
 include(CheckLinkerFlag)
 check_linker_flag(CXX -fuse-ld=gold ODOGRAPH_HAS_GOLD)
 set(quick_linker "")
@@ -102,22 +102,40 @@ if(ODOGRAPH_HAS_GOLD)
   set(quick_linker -fuse-ld=gold)
 endif()
 
-# odograph_moc_own(tst_unit): makes tst_unit.moc, which tst_unit.cpp includes. AUTOMOC would start CMake twice for each of
-# hundreds of programs, which took as long as compiling them.
-function(odograph_moc_own name)
+# odograph_moc_own(TARGET PLACE/tst_unit): makes tst_unit.moc, which tst_unit.cpp includes. AUTOMOC would start CMake twice for
+# each program.
+function(odograph_moc_own target unit)
+  get_filename_component(name ${unit} NAME)
   set(moc ${CMAKE_CURRENT_BINARY_DIR}/${name}.moc)
   add_custom_command(OUTPUT ${moc}
-    COMMAND Qt6::moc -o ${moc} ${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp
-    DEPENDS ${name}.cpp VERBATIM)
-  target_sources(${name} PRIVATE ${moc})
-  target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
+    COMMAND Qt6::moc -o ${moc} ${CMAKE_CURRENT_SOURCE_DIR}/${unit}.cpp
+    DEPENDS ${unit}.cpp VERBATIM)
+  target_sources(${target} PRIVATE ${moc})
+  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
 endfunction()
 
-# odograph_test(tst_unit [WAITS] [SOURCES more.cpp ...] [LINKS libraries...] [LABELS ...] [TIMEOUT s] [ENVIRONMENT ...])
-# Builds tst_unit.cpp with QtTest and registers it under the folder's name: "geometry/tst_unit". A test takes two of ctest's
-# slots, of which a processor has two (packaging/headless.sh); WAITS: one, for it hardly computes.
-function(odograph_test name)
-  cmake_parse_arguments(ARG "WAITS" "TIMEOUT" "SOURCES;LINKS;LABELS;ENVIRONMENT" ${ARGN})
+# odograph_test_program(NAME KIND): a program that tests are compiled into; KIND: of its precompiled headers.
+function(odograph_test_program name kind)
+  add_executable(${name})
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
+  target_link_options(${name} PRIVATE ${quick_linker})
+  target_link_libraries(${name} PRIVATE odograph_test_options Qt6::Test)
+  if(kind STREQUAL widgets_test)
+    target_link_libraries(${name} PRIVATE Qt6::Widgets)
+  elseif(kind STREQUAL gui_test)
+    target_link_libraries(${name} PRIVATE Qt6::Gui)
+  endif()
+  odograph_precompile(${name} ${kind})
+endfunction()
+
+# odograph_test(tst_unit [ALONE] [WAITS] [SOURCES more.cpp ...] [LINKS libraries...] [LABELS ...] [TIMEOUT s] [ENVIRONMENT ...])
+# Compiles tst_unit.cpp into the folder's program of QtTest classes and registers it under the folder's name:
+# "geometry/tst_unit"; the unit may lie in a sub-folder. ALONE: in a program of its own, because it has its own main or stands
+# in front of calls of the system. tst_unit_command: what runs it, for further tests of the same unit. `test_kind`, set before
+# the first test of a folder: of the precompiled headers. A test takes two of ctest's slots, of which a processor has two
+# (packaging/headless.sh); WAITS: one, for it hardly computes.
+function(odograph_test unit)
+  cmake_parse_arguments(ARG "ALONE;WAITS" "TIMEOUT" "SOURCES;LINKS;LABELS;ENVIRONMENT" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)
   endif()
@@ -132,27 +150,35 @@ function(odograph_test name)
     math(EXPR ARG_TIMEOUT "${ARG_TIMEOUT} * 10")
     list(APPEND ARG_ENVIRONMENT QTEST_FUNCTION_TIMEOUT=3000000)
   endif()
+  get_filename_component(name ${unit} NAME)
   file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR}/tests ${CMAKE_CURRENT_SOURCE_DIR})
-  add_executable(${name} ${name}.cpp ${ARG_SOURCES})
-  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
-  target_link_options(${name} PRIVATE ${quick_linker})
-  odograph_moc_own(${name})
-  target_link_libraries(${name} PRIVATE odograph_test_options Qt6::Test ${ARG_LINKS})
   string(REGEX MATCH "^[a-z0-9]+" part ${folder})
+  set(kind test)
   if(part MATCHES "^(ui|manual)$")
-    target_link_libraries(${name} PRIVATE Qt6::Widgets)
-    odograph_precompile(${name} widgets_test)
-  elseif(ARG_LINKS MATCHES "Qt6::(Gui|Svg)|test_stored_example") # with Qt's pictures, but no widgets
-    odograph_precompile(${name} gui_test)
-  else()
-    odograph_precompile(${name} test)
+    set(kind widgets_test)
+  elseif(test_kind)
+    set(kind ${test_kind})
   endif()
   if(NOT TARGET ${part}_tests)
     add_custom_target(${part}_tests) # all of a folder and those below it
   endif()
-  add_dependencies(${part}_tests ${name})
-  add_test(NAME ${folder}/${name} COMMAND ${name})
-  set_tests_properties(${folder}/${name} PROPERTIES
+  if(ARG_ALONE)
+    set(program ${name})
+    set(command ${name})
+  else()
+    string(REPLACE "/" "_" program tests_${folder})
+    set(command ${program} ${name})
+  endif()
+  if(NOT TARGET ${program})
+    odograph_test_program(${program} ${kind})
+    add_dependencies(${part}_tests ${program})
+  endif()
+  target_sources(${program} PRIVATE ${unit}.cpp ${ARG_SOURCES})
+  odograph_moc_own(${program} ${unit})
+  target_link_libraries(${program} PRIVATE ${ARG_LINKS} registered_tests)
+  set(${name}_command ${command} PARENT_SCOPE)
+  add_test(NAME ${folder}/${unit} COMMAND ${command})
+  set_tests_properties(${folder}/${unit} PROPERTIES
     TIMEOUT ${ARG_TIMEOUT}
     PROCESSORS ${slots}
     LABELS "${ARG_LABELS}"

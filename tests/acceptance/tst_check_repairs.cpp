@@ -2,6 +2,7 @@
 // What odograph check does about files that are lost or belong to nothing.
 #include "tests/support/calling_test.h"
 #include "tests/support/noise_clip.h"
+#include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QFile>
@@ -62,5 +63,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCheckRepairs)
+ODOGRAPH_TEST(TestCheckRepairs, QCoreApplication)
 #include "tst_check_repairs.moc"

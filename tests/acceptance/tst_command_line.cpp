@@ -3,6 +3,7 @@
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
 #include "tests/support/calling_test.h"
+#include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QFile>
@@ -501,5 +502,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCommandLine)
+ODOGRAPH_TEST(TestCommandLine, QCoreApplication)
 #include "tst_command_line.moc"

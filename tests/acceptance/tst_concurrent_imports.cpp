@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "tests/support/program.h"
+#include "tests/support/registered_test.h"
 #include "tests/video/coded_frames.h"
 
 #include <QDir>
@@ -102,5 +103,5 @@ void TestConcurrentImports::importAtOnce(const QString &first, const QString &se
     QVERIFY((*opened)->check(true)->empty());
 }
 
-QTEST_GUILESS_MAIN(TestConcurrentImports)
+ODOGRAPH_TEST(TestConcurrentImports, QCoreApplication)
 #include "tst_concurrent_imports.moc"

@@ -2,6 +2,7 @@
 // The program crashes while it records: a report is left, and what was recorded is kept.
 #include "core/base/crash_report.h"
 #include "tests/support/program.h"
+#include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QJsonArray>
@@ -55,5 +56,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCrash)
+ODOGRAPH_TEST(TestCrash, QCoreApplication)
 #include "tst_crash.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The demo lesson is made by the program. The tests that begin with it take a copy (tests/support/demo_lesson.h).
 #include "tests/support/program.h"
+#include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -29,5 +30,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestDemoLesson)
+ODOGRAPH_TEST(TestDemoLesson, QCoreApplication)
 #include "tst_demo_lesson.moc"

@@ -3,6 +3,7 @@
 #include "core/simulation/demo_robots.h"
 #include "tests/support/demo_lesson.h"
 #include "tests/support/program.h"
+#include "tests/support/registered_test.h"
 
 #include <QFile>
 #include <QJsonObject>
@@ -138,5 +139,5 @@ void TestFirstRecording::theRobotsThatAreUpAreFound()
     }
 }
 
-QTEST_GUILESS_MAIN(TestFirstRecording)
+ODOGRAPH_TEST(TestFirstRecording, QCoreApplication)
 #include "tst_first_recording.moc"

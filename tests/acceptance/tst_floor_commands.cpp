@@ -5,6 +5,7 @@
 #include "core/video/picture_writer.h"
 #include "tests/support/calling_test.h"
 #include "tests/support/patience.h"
+#include "tests/support/registered_test.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -204,5 +205,5 @@ private Q_SLOTS:
     void badCallsFailInOneLine() { badCallFailsInOneLine(); }
 };
 
-QTEST_GUILESS_MAIN(TestFloorCommands)
+ODOGRAPH_TEST(TestFloorCommands, QCoreApplication)
 #include "tst_floor_commands.moc"

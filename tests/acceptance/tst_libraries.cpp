@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/registered_test.h"
+
 #include <QFileInfo>
 #include <QProcess>
 #include <QTest>
@@ -30,5 +32,5 @@ void TestLibraries::programLoadsOnlyWhatItUses()
         QVERIFY2(!libraries.contains(unwanted), qPrintable(unwanted));
 }
 
-QTEST_GUILESS_MAIN(TestLibraries)
+ODOGRAPH_TEST(TestLibraries, QCoreApplication)
 #include "tst_libraries.moc"

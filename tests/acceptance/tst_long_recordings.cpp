@@ -7,6 +7,7 @@
 #include "core/simulation/renderer.h"
 #include "tests/support/looped_video.h"
 #include "tests/support/program.h"
+#include "tests/support/registered_test.h"
 
 #include <QElapsedTimer>
 #include <QTemporaryDir>
@@ -146,5 +147,5 @@ void TestLongRecordings::twoHourLongClips()
     QVERIFY2(ofAnHour - ofTenMinutes < mostPerFrameMegabytes * frames, qPrintable(QString::number(ofAnHour - ofTenMinutes)));
 }
 
-QTEST_GUILESS_MAIN(TestLongRecordings)
+ODOGRAPH_TEST(TestLongRecordings, QCoreApplication)
 #include "tst_long_recordings.moc"

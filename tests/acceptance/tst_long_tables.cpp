@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/patience.h"
 #include "tests/support/program.h"
+#include "tests/support/registered_test.h"
 
 #include <QElapsedTimer>
 #include <QFile>
@@ -125,5 +126,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLongTables)
+ODOGRAPH_TEST(TestLongTables, QCoreApplication)
 #include "tst_long_tables.moc"

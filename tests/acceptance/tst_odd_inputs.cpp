@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a person names as an input is no regular file: each command says at once what it is.
 #include "tests/support/calling_test.h"
+#include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QTest>
@@ -116,5 +117,5 @@ private:
     int m_socket = -1;
 };
 
-QTEST_GUILESS_MAIN(TestOddInputs)
+ODOGRAPH_TEST(TestOddInputs, QCoreApplication)
 #include "tst_odd_inputs.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A project of every older format, as tests/data keeps them, listed by the program: it is brought up to date, and nothing is missing.
 #include "tests/support/program.h"
+#include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QFile>
@@ -65,5 +66,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestOldFormats)
+ODOGRAPH_TEST(TestOldFormats, QCoreApplication)
 #include "tst_old_formats.moc"

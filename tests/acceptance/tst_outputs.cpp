@@ -4,6 +4,7 @@
 #include "core/video/video_reader.h"
 #include "tests/support/demo_lesson.h"
 #include "tests/support/program.h"
+#include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -298,5 +299,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestOutputs)
+ODOGRAPH_TEST(TestOutputs, QCoreApplication)
 #include "tst_outputs.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Recording as the command line does it, from the simulated testbed and from files.
 #include "tests/support/program.h"
+#include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QJsonArray>
@@ -152,5 +153,5 @@ void TestRecord::badCallsFailInOneLine()
     QCOMPARE(media(), before);
 }
 
-QTEST_GUILESS_MAIN(TestRecord)
+ODOGRAPH_TEST(TestRecord, QCoreApplication)
 #include "tst_record.moc"

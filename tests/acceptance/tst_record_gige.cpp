@@ -5,6 +5,7 @@
 #include "core/simulation/demo_testbed.h"
 #include "tests/support/gige/raw_painters.h"
 #include "tests/support/program.h"
+#include "tests/support/registered_test.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -228,5 +229,5 @@ void TestRecordGige::aCameraThatIsGoneForAWhile()
     succeed(QStringLiteral("check %/p.odo"));
 }
 
-QTEST_GUILESS_MAIN(TestRecordGige)
+ODOGRAPH_TEST(TestRecordGige, QCoreApplication)
 #include "tst_record_gige.moc"

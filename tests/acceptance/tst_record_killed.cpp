@@ -6,6 +6,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/recover_job.h"
 #include "tests/support/noise_clip.h"
+#include "tests/support/registered_test.h"
 
 #include <QFileInfo>
 #include <QProcess>
@@ -159,5 +160,5 @@ void TestRecordKilled::nothingIsLostButTheLastSecond()
     QVERIFY(m_timesStored > kills / 4); // those of more than a second, of two views each
 }
 
-QTEST_GUILESS_MAIN(TestRecordKilled)
+ODOGRAPH_TEST(TestRecordKilled, QCoreApplication)
 #include "tst_record_killed.moc"

@@ -4,6 +4,7 @@
 #include "core/project/repositories.h"
 #include "tests/support/noise_clip.h"
 #include "tests/support/program.h"
+#include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -196,5 +197,5 @@ void TestStopping::aWindowEndsAsIfClosed()
     QCOMPARE(QDir(m_folder->path()).entryList({QStringLiteral("p.odo-*")}).size(), 0); // it was closed in good order
 }
 
-QTEST_GUILESS_MAIN(TestStopping)
+ODOGRAPH_TEST(TestStopping, QCoreApplication)
 #include "tst_stopping.moc"

@@ -4,6 +4,7 @@
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
 #include "tests/support/calling_test.h"
+#include "tests/support/registered_test.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -181,5 +182,5 @@ private Q_SLOTS:
     void badCallsFailInOneLine() { badCallFailsInOneLine(); }
 };
 
-QTEST_GUILESS_MAIN(TestTasks)
+ODOGRAPH_TEST(TestTasks, QCoreApplication)
 #include "tst_tasks.moc"

@@ -3,6 +3,7 @@
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
 #include "tests/support/program.h"
+#include "tests/support/registered_test.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -146,5 +147,5 @@ void TestThirdCamera::aCameraThroughAnotherMeasuresTheSame()
     QVERIFY(inside >= 0.95 * rows);
 }
 
-QTEST_GUILESS_MAIN(TestThirdCamera)
+ODOGRAPH_TEST(TestThirdCamera, QCoreApplication)
 #include "tst_third_camera.moc"

@@ -3,6 +3,7 @@
 // line, wherever a name is given.
 #include "tests/attack/attacked.h"
 #include "tests/support/program.h"
+#include "tests/support/registered_test.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -80,5 +81,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-QTEST_GUILESS_MAIN(TestCraftedNames)
+ODOGRAPH_TEST(TestCraftedNames, QCoreApplication)
 #include "tst_crafted_names.moc"

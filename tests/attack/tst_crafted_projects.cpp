@@ -3,9 +3,11 @@
 // nothing.
 #include "tests/attack/attacked.h"
 #include "tests/support/program.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 
 #include <QFile>
+#include <QGuiApplication>
 #include <QTemporaryDir>
 #include <QTest>
 #include <sqlite3.h>
@@ -140,5 +142,5 @@ private:
     QString m_sound;
 };
 
-QTEST_MAIN(TestCraftedProjects)
+ODOGRAPH_TEST(TestCraftedProjects, QGuiApplication)
 #include "tst_crafted_projects.moc"

@@ -3,6 +3,7 @@
 // leaves the project as it was.
 #include "tests/attack/attacked.h"
 #include "tests/support/program.h"
+#include "tests/support/registered_test.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -143,5 +144,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-QTEST_GUILESS_MAIN(TestCraftedTables)
+ODOGRAPH_TEST(TestCraftedTables, QCoreApplication)
 #include "tst_crafted_tables.moc"

@@ -5,6 +5,7 @@
 #include "core/video/video_writer.h"
 #include "tests/attack/attacked.h"
 #include "tests/support/program.h"
+#include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QFile>
@@ -125,5 +126,5 @@ private:
     int m_number = 0;
 };
 
-QTEST_GUILESS_MAIN(TestCraftedVideos)
+ODOGRAPH_TEST(TestCraftedVideos, QCoreApplication)
 #include "tst_crafted_videos.moc"

@@ -3,9 +3,11 @@
 // the project is as it was. Needs the right to mount a disk in memory (root in a namespace of its own).
 #include "tests/attack/attacked.h"
 #include "tests/support/program.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 
 #include <QFile>
+#include <QGuiApplication>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -77,5 +79,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-QTEST_MAIN(TestFullDisks)
+ODOGRAPH_TEST(TestFullDisks, QGuiApplication)
 #include "tst_full_disks.moc"

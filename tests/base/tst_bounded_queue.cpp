@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/bounded_queue.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <thread>
 
@@ -64,5 +66,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBoundedQueue)
+ODOGRAPH_TEST(TestBoundedQueue, QCoreApplication)
 #include "tst_bounded_queue.moc"

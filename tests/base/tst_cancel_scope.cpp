@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/cancel_scope.h"
 #include "core/base/shortage.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <atomic>
@@ -61,5 +62,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCancelScope)
+ODOGRAPH_TEST(TestCancelScope, QCoreApplication)
 #include "tst_cancel_scope.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QString>
 #include <QTest>
 
@@ -28,5 +30,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestError)
+ODOGRAPH_TEST(TestError, QCoreApplication)
 #include "tst_error.moc"

@@ -2,6 +2,7 @@
 #include "core/base/file_system.h"
 
 #include "tests/fault/scarce.h"
+#include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QFile>
@@ -164,5 +165,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFileSystem)
+ODOGRAPH_TEST(TestFileSystem, QCoreApplication)
 #include "tst_file_system.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/registered_test.h"
+
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
@@ -55,5 +57,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFileSystemCalls)
+ODOGRAPH_TEST(TestFileSystemCalls, QCoreApplication)
 #include "tst_file_system_calls.moc"

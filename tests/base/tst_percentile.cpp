@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/percentile.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 
 using odo::percentile;
@@ -25,5 +27,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPercentile)
+ODOGRAPH_TEST(TestPercentile, QCoreApplication)
 #include "tst_percentile.moc"

@@ -2,6 +2,7 @@
 #include "core/base/plain_text.h"
 
 #include "core/base/error.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 
@@ -54,5 +55,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPlainText)
+ODOGRAPH_TEST(TestPlainText, QCoreApplication)
 #include "tst_plain_text.moc"

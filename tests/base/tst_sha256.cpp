@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/sha256.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QByteArray>
 #include <QCryptographicHash>
 #include <QTest>
@@ -50,5 +52,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSha256)
+ODOGRAPH_TEST(TestSha256, QCoreApplication)
 #include "tst_sha256.moc"

@@ -2,6 +2,7 @@
 #include "core/base/shortage.h"
 
 #include "tests/fault/scarce.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <atomic>
@@ -92,5 +93,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestShortage)
+ODOGRAPH_TEST(TestShortage, QCoreApplication)
 #include "tst_shortage.moc"

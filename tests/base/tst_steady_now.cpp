@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/steady_now.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 
 #include <ctime>
@@ -45,5 +47,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSteadyNow)
+ODOGRAPH_TEST(TestSteadyNow, QCoreApplication)
 #include "tst_steady_now.moc"

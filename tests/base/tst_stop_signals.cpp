@@ -2,6 +2,8 @@
 // What a program does with the signals that ask it to stop; each in a program of its own, for they are the whole program's.
 #include "core/base/stop_signals.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <csignal>
 #include <functional>
@@ -113,5 +115,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestStopSignals)
+ODOGRAPH_TEST(TestStopSignals, QCoreApplication)
 #include "tst_stop_signals.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/units.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <clocale>
 
@@ -65,5 +67,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestUnits)
+ODOGRAPH_TEST(TestUnits, QCoreApplication)
 #include "tst_units.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/without_value.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 
 using namespace odo;
@@ -21,5 +23,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestWithoutValue)
+ODOGRAPH_TEST(TestWithoutValue, QCoreApplication)
 #include "tst_without_value.moc"

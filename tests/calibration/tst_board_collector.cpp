@@ -4,6 +4,7 @@
 #include "core/calibration/wanted_pose.h"
 #include "core/simulation/board_poses.h"
 #include "core/simulation/renderer.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <Eigen/Geometry>
@@ -209,5 +210,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBoardCollector)
+ODOGRAPH_TEST(TestBoardCollector, QCoreApplication)
 #include "tst_board_collector.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/board_detection.h"
 #include "tests/calibration/pictures.h"
+#include "tests/support/registered_test.h"
 
 #include <Eigen/Geometry>
 #include <QTest>
@@ -237,5 +238,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBoardDetection)
+ODOGRAPH_TEST(TestBoardDetection, QCoreApplication)
 #include "tst_board_detection.moc"

@@ -3,6 +3,7 @@
 #include "core/calibration/best_place.h"
 #include "tests/calibration/floor_views.h"
 #include "tests/support/contains.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <limits>
@@ -158,5 +159,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCameraPlanning)
+ODOGRAPH_TEST(TestCameraPlanning, QCoreApplication)
 #include "tst_camera_planning.moc"

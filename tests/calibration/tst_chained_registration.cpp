@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/chained_registration.h"
 
+#include "tests/support/registered_test.h"
+
 #include <Eigen/LU>
 #include <QTest>
 #include <random>
@@ -186,5 +188,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestChainedRegistration)
+ODOGRAPH_TEST(TestChainedRegistration, QCoreApplication)
 #include "tst_chained_registration.moc"

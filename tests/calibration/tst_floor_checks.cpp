@@ -6,6 +6,7 @@
 #include "core/calibration/world_axes.h"
 #include "tests/calibration/floor_views.h"
 #include "tests/support/contains.h"
+#include "tests/support/registered_test.h"
 
 #include <Eigen/Eigenvalues>
 #include <QTest>
@@ -233,5 +234,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFloorChecks)
+ODOGRAPH_TEST(TestFloorChecks, QCoreApplication)
 #include "tst_floor_checks.moc"

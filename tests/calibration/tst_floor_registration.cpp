@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/floor_registration.h"
 #include "tests/support/contains.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <random>
@@ -338,5 +339,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFloorRegistration)
+ODOGRAPH_TEST(TestFloorRegistration, QCoreApplication)
 #include "tst_floor_registration.moc"

@@ -4,6 +4,7 @@
 #include "core/calibration/marker_assignment.h"
 #include "core/calibration/world_axes.h"
 #include "core/simulation/demo_testbed.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <set>
@@ -95,5 +96,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFloorSentences)
+ODOGRAPH_TEST(TestFloorSentences, QCoreApplication)
 #include "tst_floor_sentences.moc"

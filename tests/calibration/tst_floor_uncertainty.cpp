@@ -2,6 +2,7 @@
 #include "core/calibration/floor_registration.h"
 #include "core/calibration/intrinsic_calibration.h"
 #include "core/calibration/lens_influence.h"
+#include "tests/support/registered_test.h"
 
 #include <Eigen/Cholesky>
 #include <QTest>
@@ -214,5 +215,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFloorUncertainty)
+ODOGRAPH_TEST(TestFloorUncertainty, QCoreApplication)
 #include "tst_floor_uncertainty.moc"

@@ -2,6 +2,7 @@
 #include "core/calibration/intrinsic_calibration.h"
 #include "tests/calibration/seen_boards.h"
 #include "tests/support/contains.h"
+#include "tests/support/registered_test.h"
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -153,5 +154,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestIntrinsicCalibration)
+ODOGRAPH_TEST(TestIntrinsicCalibration, QCoreApplication)
 #include "tst_intrinsic_calibration.moc"

@@ -2,6 +2,7 @@
 #include "core/calibration/joint_registration.h"
 #include "tests/calibration/floor_views.h"
 #include "tests/support/contains.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 
@@ -176,5 +177,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestJointRegistration)
+ODOGRAPH_TEST(TestJointRegistration, QCoreApplication)
 #include "tst_joint_registration.moc"

@@ -5,6 +5,7 @@
 #include "core/calibration/round_markers.h"
 #include "core/calibration/tag_detection.h"
 #include "tests/calibration/pictures.h"
+#include "tests/support/registered_test.h"
 
 #include <Eigen/Geometry>
 #include <QElapsedTimer>
@@ -206,5 +207,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLargeImages)
+ODOGRAPH_TEST(TestLargeImages, QCoreApplication)
 #include "tst_large_images.moc"

@@ -3,6 +3,7 @@
 #include "core/calibration/marker_assignment.h"
 #include "core/geometry/point_layout.h"
 #include "core/simulation/demo_testbed.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <array>
@@ -353,5 +354,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLayoutJudgement)
+ODOGRAPH_TEST(TestLayoutJudgement, QCoreApplication)
 #include "tst_layout_judgement.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/lens_cost.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <array>
 
@@ -146,5 +148,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLensCost)
+ODOGRAPH_TEST(TestLensCost, QCoreApplication)
 #include "tst_lens_cost.moc"

@@ -2,6 +2,7 @@
 #include "core/calibration/intrinsic_calibration.h"
 #include "tests/calibration/seen_boards.h"
 #include "tests/support/contains.h"
+#include "tests/support/registered_test.h"
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -276,5 +277,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLensFigures)
+ODOGRAPH_TEST(TestLensFigures, QCoreApplication)
 #include "tst_lens_figures.moc"

@@ -5,6 +5,7 @@
 #include "core/calibration/intrinsic_calibration.h"
 #include "core/simulation/renderer.h"
 #include "tests/calibration/seen_boards.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <set>
@@ -140,5 +141,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLensSentences)
+ODOGRAPH_TEST(TestLensSentences, QCoreApplication)
 #include "tst_lens_sentences.moc"

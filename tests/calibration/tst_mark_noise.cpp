@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/mark_noise.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 
 #include <cmath>
@@ -38,5 +40,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMarkNoise)
+ODOGRAPH_TEST(TestMarkNoise, QCoreApplication)
 #include "tst_mark_noise.moc"

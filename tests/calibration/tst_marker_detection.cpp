@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/marker_detection.h"
 #include "tests/calibration/pictures.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <opencv2/aruco.hpp>
@@ -104,5 +105,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMarkerDetection)
+ODOGRAPH_TEST(TestMarkerDetection, QCoreApplication)
 #include "tst_marker_detection.moc"

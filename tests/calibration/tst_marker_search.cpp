@@ -7,6 +7,7 @@
 #include "core/calibration/tag_foretelling.h"
 #include "tests/calibration/floor_views.h"
 #include "tests/support/contains.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 
@@ -237,5 +238,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMarkerSearch)
+ODOGRAPH_TEST(TestMarkerSearch, QCoreApplication)
 #include "tst_marker_search.moc"

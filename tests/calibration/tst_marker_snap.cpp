@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/marker_snap.h"
 #include "tests/calibration/floor_views.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 
@@ -166,5 +167,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMarkerSnap)
+ODOGRAPH_TEST(TestMarkerSnap, QCoreApplication)
 #include "tst_marker_snap.moc"

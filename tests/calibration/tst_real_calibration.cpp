@@ -5,6 +5,7 @@
 #include "core/video/picture_reader.h"
 #include "core/video/video_reader.h"
 #include "tests/support/real_material.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <algorithm>
@@ -226,5 +227,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRealCalibration)
+ODOGRAPH_TEST(TestRealCalibration, QCoreApplication)
 #include "tst_real_calibration.moc"

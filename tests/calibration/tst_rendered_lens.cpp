@@ -2,6 +2,7 @@
 #include "core/calibration/board_detection.h"
 #include "core/calibration/intrinsic_calibration.h"
 #include "core/simulation/board_poses.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <array>
@@ -139,5 +140,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRenderedLens)
+ODOGRAPH_TEST(TestRenderedLens, QCoreApplication)
 #include "tst_rendered_lens.moc"

@@ -2,6 +2,7 @@
 #include "core/calibration/tag_alignment.h"
 #include "core/calibration/tag_detection.h"
 #include "tests/calibration/pictures.h"
+#include "tests/support/registered_test.h"
 
 #include <Eigen/LU>
 #include <QTest>
@@ -128,5 +129,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTagAlignment)
+ODOGRAPH_TEST(TestTagAlignment, QCoreApplication)
 #include "tst_tag_alignment.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/tag_detection.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <algorithm>
 
@@ -40,5 +42,5 @@ void TestTagDetection::longSides()
     QVERIFY(findSmallTags(frame).empty());
 }
 
-QTEST_GUILESS_MAIN(TestTagDetection)
+ODOGRAPH_TEST(TestTagDetection, QCoreApplication)
 #include "tst_tag_detection.moc"

@@ -2,6 +2,7 @@
 #include "core/calibration/lens_influence.h"
 #include "core/calibration/world_axes.h"
 #include "core/simulation/demo_testbed.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <random>
@@ -116,5 +117,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWorldAxes)
+ODOGRAPH_TEST(TestWorldAxes, QCoreApplication)
 #include "tst_world_axes.moc"

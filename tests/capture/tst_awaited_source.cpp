@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/awaited_source.h"
 #include "tests/capture/played_camera.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <atomic>
@@ -111,5 +112,5 @@ void TestAwaitedSource::isStoppedWhileItWaits()
     QCOMPARE(source->next().error().code, ErrorCode::Cancelled);
 }
 
-QTEST_GUILESS_MAIN(TestAwaitedSource)
+ODOGRAPH_TEST(TestAwaitedSource, QCoreApplication)
 #include "tst_awaited_source.moc"

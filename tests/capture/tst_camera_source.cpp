@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/board_detection.h"
 #include "core/capture/file_source.h"
 #include "core/capture/simulated_source.h"
-#include "core/calibration/board_detection.h"
 #include "core/simulation/board_poses.h"
 #include "core/simulation/demo_robots.h"
 #include "core/simulation/demo_testbed.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -154,5 +155,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCameraSource)
+ODOGRAPH_TEST(TestCameraSource, QCoreApplication)
 #include "tst_camera_source.moc"

@@ -3,6 +3,7 @@
 #include "core/video/video_reader.h"
 #include "tests/capture/two_cameras.h"
 #include "tests/support/patience.h"
+#include "tests/support/registered_test.h"
 
 #include <atomic>
 #include <csignal>
@@ -288,5 +289,5 @@ void TestCaptureFaults::aCameraThatTakesFewerPicturesIsTold()
     QVERIFY(!cameras.health(0).slow);
 }
 
-QTEST_GUILESS_MAIN(TestCaptureFaults)
+ODOGRAPH_TEST(TestCaptureFaults, QCoreApplication)
 #include "tst_capture_faults.moc"

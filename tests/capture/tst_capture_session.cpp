@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/video_reader.h"
 #include "tests/capture/two_cameras.h"
+#include "tests/support/registered_test.h"
 
 #include <QFile>
 
@@ -235,5 +236,5 @@ void TestCaptureSession::allCamerasAreGivenTheRobotsToShow()
     QVERIFY(cameras.a->robotsToShow == 2 && cameras.b->robotsToShow == 2);
 }
 
-QTEST_GUILESS_MAIN(TestCaptureSession)
+ODOGRAPH_TEST(TestCaptureSession, QCoreApplication)
 #include "tst_capture_session.moc"

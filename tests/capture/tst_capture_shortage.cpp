@@ -3,6 +3,7 @@
 #include "core/video/video_reader.h"
 #include "tests/capture/two_cameras.h"
 #include "tests/fault/scarce.h"
+#include "tests/support/registered_test.h"
 
 using namespace odo;
 using namespace odo::test;
@@ -101,5 +102,5 @@ private:
     std::unique_ptr<QTemporaryDir> m_folder;
 };
 
-QTEST_GUILESS_MAIN(TestCaptureShortage)
+ODOGRAPH_TEST(TestCaptureShortage, QCoreApplication)
 #include "tst_capture_shortage.moc"

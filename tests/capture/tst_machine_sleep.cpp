@@ -8,6 +8,7 @@
 #include "played_camera.h"
 #include "played_driver.h"
 #include "tests/capture/aravis/frame_taker.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -193,5 +194,5 @@ private:
     int m_recordings = 0;
 };
 
-QTEST_GUILESS_MAIN(TestMachineSleep)
+ODOGRAPH_TEST(TestMachineSleep, QCoreApplication)
 #include "tst_machine_sleep.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/recorded_clock.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <cmath>
 #include <random>
@@ -130,5 +132,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRecordedClock)
+ODOGRAPH_TEST(TestRecordedClock, QCoreApplication)
 #include "tst_recorded_clock.moc"

@@ -2,6 +2,7 @@
 #include "core/capture/settled_picture.h"
 
 #include "tests/capture/played_camera.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 
@@ -54,5 +55,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSettledPicture)
+ODOGRAPH_TEST(TestSettledPicture, QCoreApplication)
 #include "tst_settled_picture.moc"

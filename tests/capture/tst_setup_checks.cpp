@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/setup_checks.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTemporaryDir>
 #include <QTest>
 #include <fstream>
@@ -234,5 +236,5 @@ void TestSetupChecks::readsTheMachine()
     QCOMPARE(facts.receiveBufferBytes.value_or(0), std::int64_t(212992));
 }
 
-QTEST_GUILESS_MAIN(TestSetupChecks)
+ODOGRAPH_TEST(TestSetupChecks, QCoreApplication)
 #include "tst_setup_checks.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/camera_source.h"
 #include "core/capture/v4l2/v4l2_address.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <cerrno>
@@ -88,5 +89,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestV4l2Address)
+ODOGRAPH_TEST(TestV4l2Address, QCoreApplication)
 #include "tst_v4l2_address.moc"

@@ -5,6 +5,7 @@
 #include "core/capture/capture_session.h"
 #include "played_driver.h"
 #include "tests/support/patience.h"
+#include "tests/support/registered_test.h"
 
 #include <QProcess>
 #include <QTemporaryDir>
@@ -132,5 +133,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestV4l2Driver)
+ODOGRAPH_TEST(TestV4l2Driver, QCoreApplication)
 #include "tst_v4l2_driver.moc"

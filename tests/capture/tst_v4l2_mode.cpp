@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/v4l2/v4l2_mode.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <linux/videodev2.h>
 
@@ -59,5 +61,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestV4l2Mode)
+ODOGRAPH_TEST(TestV4l2Mode, QCoreApplication)
 #include "tst_v4l2_mode.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/v4l2/v4l2_pictures.h"
+#include "tests/support/registered_test.h"
 #include "tests/video/jpeg_pictures.h"
 
 #include <QTest>
@@ -111,5 +112,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestV4l2Pictures)
+ODOGRAPH_TEST(TestV4l2Pictures, QCoreApplication)
 #include "tst_v4l2_pictures.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/v4l2/v4l2_stamps.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 
 using namespace odo;
@@ -116,5 +118,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestV4l2Stamps)
+ODOGRAPH_TEST(TestV4l2Stamps, QCoreApplication)
 #include "tst_v4l2_stamps.moc"

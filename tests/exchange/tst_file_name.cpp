@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/file_name.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -61,5 +63,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFileName)
+ODOGRAPH_TEST(TestFileName, QCoreApplication)
 #include "tst_file_name.moc"

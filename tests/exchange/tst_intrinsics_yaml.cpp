@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/intrinsics_yaml.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -234,5 +236,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-QTEST_GUILESS_MAIN(TestIntrinsicsYaml)
+ODOGRAPH_TEST(TestIntrinsicsYaml, QCoreApplication)
 #include "tst_intrinsics_yaml.moc"

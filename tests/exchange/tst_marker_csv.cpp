@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/layout_csv.h"
-#include "core/exchange/text_file.h"
 #include "core/exchange/pixels_csv.h"
+#include "core/exchange/text_file.h"
+#include "tests/support/registered_test.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -126,5 +127,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-QTEST_GUILESS_MAIN(TestMarkerCsv)
+ODOGRAPH_TEST(TestMarkerCsv, QCoreApplication)
 #include "tst_marker_csv.moc"

@@ -6,6 +6,7 @@
 #include "core/project/recording_rows.h"
 #include "core/video/picture_reader.h"
 #include "core/video/video_reader.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -58,5 +59,5 @@ private:
     std::unique_ptr<Project> m_project;
 };
 
-QTEST_GUILESS_MAIN(TestOpenProjectAsInput)
+ODOGRAPH_TEST(TestOpenProjectAsInput, QCoreApplication)
 #include "tst_open_project_as_input.moc"

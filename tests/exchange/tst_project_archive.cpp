@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/project_archive.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
@@ -208,5 +210,5 @@ private:
     std::unique_ptr<QTemporaryDir> m_folder;
 };
 
-QTEST_GUILESS_MAIN(TestProjectArchive)
+ODOGRAPH_TEST(TestProjectArchive, QCoreApplication)
 #include "tst_project_archive.moc"

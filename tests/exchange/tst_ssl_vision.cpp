@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/ssl_vision.h"
 #include "tests/support/protobuf_decoder.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 
@@ -56,5 +57,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSslVision)
+ODOGRAPH_TEST(TestSslVision, QCoreApplication)
 #include "tst_ssl_vision.moc"

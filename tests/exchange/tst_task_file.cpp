@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/task_file.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -158,5 +160,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTaskFile)
+ODOGRAPH_TEST(TestTaskFile, QCoreApplication)
 #include "tst_task_file.moc"

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/text_file.h"
-#include "core/files/output_file.h"
 #include "core/exchange/track_csv.h"
 #include "core/exchange/track_text.h"
 #include "core/exchange/trial_json.h"
+#include "core/files/output_file.h"
 #include "tests/support/c_locales.h"
+#include "tests/support/registered_test.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -246,5 +247,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTrackExport)
+ODOGRAPH_TEST(TestTrackExport, QCoreApplication)
 #include "tst_track_export.moc"

@@ -3,6 +3,7 @@
 
 #include "tests/support/c_locales.h"
 #include "tests/support/patience.h"
+#include "tests/support/registered_test.h"
 
 #include <QFile>
 #include <QLocale>
@@ -228,5 +229,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTrackFile)
+ODOGRAPH_TEST(TestTrackFile, QCoreApplication)
 #include "tst_track_file.moc"

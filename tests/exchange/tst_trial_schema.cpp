@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/trial_json.h"
 #include "tests/support/json_schema.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <limits>
@@ -79,5 +80,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTrialSchema)
+ODOGRAPH_TEST(TestTrialSchema, QCoreApplication)
 #include "tst_trial_schema.moc"

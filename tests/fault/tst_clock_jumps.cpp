@@ -3,6 +3,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "tests/support/program.h"
+#include "tests/support/registered_test.h"
 
 #include <QJsonObject>
 #include <QProcess>
@@ -74,5 +75,5 @@ void TestClockJumps::durationsStayTrue()
     QVERIFY(problems && problems->empty());
 }
 
-QTEST_GUILESS_MAIN(TestClockJumps)
+ODOGRAPH_TEST(TestClockJumps, QCoreApplication)
 #include "tst_clock_jumps.moc"

@@ -9,6 +9,7 @@
 #include "tests/fault/injected_fault.h"
 #include "tests/fault/stored_rows.h"
 #include "tests/support/patience.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 
 #include <QFile>
@@ -344,5 +345,5 @@ void TestDamagedProjects::aWindowOpensWhereThereIsABackup()
     QCOMPARE(worthOpening(file("cut.odo")).error().code, ErrorCode::NotFound);
 }
 
-QTEST_GUILESS_MAIN(TestDamagedProjects)
+ODOGRAPH_TEST(TestDamagedProjects, QCoreApplication)
 #include "tst_damaged_projects.moc"

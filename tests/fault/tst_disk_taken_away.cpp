@@ -8,6 +8,7 @@
 #include "tests/support/noise_clip.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"
+#include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QFile>
@@ -136,5 +137,5 @@ void TestDiskTakenAway::whatWasRecordedIsThere()
     }
 }
 
-QTEST_GUILESS_MAIN(TestDiskTakenAway)
+ODOGRAPH_TEST(TestDiskTakenAway, QCoreApplication)
 #include "tst_disk_taken_away.moc"

@@ -5,6 +5,7 @@
 #include "tests/fault/folder_content.h"
 #include "tests/fault/stored_rows.h"
 #include "tests/fault/writing_use_cases.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -220,5 +221,5 @@ QString TestFailingCalls::problemOfSecondTry(const UseCase &useCase) const
     return {};
 }
 
-QTEST_GUILESS_MAIN(TestFailingCalls)
+ODOGRAPH_TEST(TestFailingCalls, QCoreApplication)
 #include "tst_failing_calls.moc"

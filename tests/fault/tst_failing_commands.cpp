@@ -6,6 +6,7 @@
 #include "core/video/video_reader.h"
 #include "tests/fault/folder_content.h"
 #include "tests/fault/injected_fault.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 
 #include <QFile>
@@ -201,5 +202,5 @@ void TestFailingCommands::anAnswerThatCannotBePrintedIsAnError()
                                  "is done, make room and ask again\n"));
 }
 
-QTEST_GUILESS_MAIN(TestFailingCommands)
+ODOGRAPH_TEST(TestFailingCommands, QCoreApplication)
 #include "tst_failing_commands.moc"

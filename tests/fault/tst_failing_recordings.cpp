@@ -6,6 +6,7 @@
 #include "core/workflow/recover_job.h"
 #include "tests/fault/injected_fault.h"
 #include "tests/support/noise_clip.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -168,5 +169,5 @@ QString TestFailingRecordings::problemOfTrial(const fs::path &folder, bool isSai
     return {};
 }
 
-QTEST_GUILESS_MAIN(TestFailingRecordings)
+ODOGRAPH_TEST(TestFailingRecordings, QCoreApplication)
 #include "tst_failing_recordings.moc"

@@ -8,6 +8,7 @@
 #include "tests/fault/scarce_attempt.h"
 #include "tests/fault/stored_rows.h"
 #include "tests/fault/writing_use_cases.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 
 #include <QTemporaryDir>
@@ -190,5 +191,5 @@ void TestScarcity::files()
     QVERIFY(told > 0);
 }
 
-QTEST_GUILESS_MAIN(TestScarcity)
+ODOGRAPH_TEST(TestScarcity, QCoreApplication)
 #include "tst_scarcity.moc"

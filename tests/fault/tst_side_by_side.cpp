@@ -2,6 +2,7 @@
 // Several processes at once on one project: one of an older format, and one on a slow disk. A sound project is never called
 // damaged, and none of them fails.
 #include "tests/support/program.h"
+#include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QFile>
@@ -110,5 +111,5 @@ private:
     QByteArray m_words;
 };
 
-QTEST_GUILESS_MAIN(TestSideBySide)
+ODOGRAPH_TEST(TestSideBySide, QCoreApplication)
 #include "tst_side_by_side.moc"

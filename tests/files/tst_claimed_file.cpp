@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/claimed_file.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
@@ -152,5 +154,5 @@ private:
     std::unique_ptr<QTemporaryDir> m_folder;
 };
 
-QTEST_GUILESS_MAIN(TestClaimedFile)
+ODOGRAPH_TEST(TestClaimedFile, QCoreApplication)
 #include "tst_claimed_file.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/file_kind.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 
 using namespace odo;
@@ -57,5 +59,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFileKind)
+ODOGRAPH_TEST(TestFileKind, QCoreApplication)
 #include "tst_file_kind.moc"

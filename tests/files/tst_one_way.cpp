@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads the sources: files for people are written through core/files alone.
+#include "tests/support/registered_test.h"
+
 #include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>
@@ -51,5 +53,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestOneWay)
+ODOGRAPH_TEST(TestOneWay, QCoreApplication)
 #include "tst_one_way.moc"

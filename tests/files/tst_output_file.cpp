@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/output_file.h"
 #include "core/files/protected_files.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -241,5 +242,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestOutputFile)
+ODOGRAPH_TEST(TestOutputFile, QCoreApplication)
 #include "tst_output_file.moc"

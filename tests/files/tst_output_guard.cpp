@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/output_guard.h"
 #include "core/files/protected_files.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -280,5 +281,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestOutputGuard)
+ODOGRAPH_TEST(TestOutputGuard, QCoreApplication)
 #include "tst_output_guard.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/camera_model.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <opencv2/calib3d.hpp>
 #include <random>
@@ -212,5 +214,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCameraModel)
+ODOGRAPH_TEST(TestCameraModel, QCoreApplication)
 #include "tst_camera_model.moc"

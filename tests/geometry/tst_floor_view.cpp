@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/floor_view.h"
 
+#include "tests/support/registered_test.h"
+
 #include <Eigen/Cholesky>
 #include <QTest>
 #include <random>
@@ -146,5 +148,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFloorView)
+ODOGRAPH_TEST(TestFloorView, QCoreApplication)
 #include "tst_floor_view.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/homography.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <array>
 #include <random>
@@ -198,5 +200,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestHomography)
+ODOGRAPH_TEST(TestHomography, QCoreApplication)
 #include "tst_homography.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/silhouette.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <numbers>
 #include <random>
@@ -155,5 +157,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSilhouette)
+ODOGRAPH_TEST(TestSilhouette, QCoreApplication)
 #include "tst_silhouette.moc"

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The documents say what is so: their pictures and links are there, and the menus they name are in the window, with the keys they name.
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/preferences/preferences_dialog.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
@@ -235,5 +237,5 @@ void TestManual::wordsAreOurs()
     }
 }
 
-QTEST_MAIN(TestManual)
+ODOGRAPH_TEST(TestManual, QApplication)
 #include "tst_manual.moc"

@@ -5,6 +5,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/demo.h"
 #include "tests/manual/picture_book.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/found_widgets.h"
 #include "ui/history/history_page.h"
@@ -390,5 +391,5 @@ void TestManualPictures::cleanupTestCase()
         QCOMPARE(made, kept);
 }
 
-QTEST_MAIN(TestManualPictures)
+ODOGRAPH_TEST(TestManualPictures, QApplication)
 #include "tst_manual_pictures.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The Debian package: made by CPack, looked through by lintian, put into an empty tree and taken out again.
 #include "tests/support/program.h"
+#include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -113,5 +114,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestDebianPackage)
+ODOGRAPH_TEST(TestDebianPackage, QCoreApplication)
 #include "tst_debian_package.moc"

@@ -2,9 +2,11 @@
 // What a desktop reads of Odograph: its entry, metadata, file type, icons, manual page and completion.
 #include "core/project/project.h"
 #include "tests/support/program.h"
+#include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QFile>
+#include <QGuiApplication>
 #include <QImage>
 #include <QMimeDatabase>
 #include <QPainter>
@@ -220,5 +222,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestDesktopFiles)
+ODOGRAPH_TEST(TestDesktopFiles, QGuiApplication)
 #include "tst_desktop_files.moc"

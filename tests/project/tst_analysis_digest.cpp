@@ -5,6 +5,7 @@
 #include "core/project/repositories.h"
 #include "core/trajectory/imported_track.h"
 #include "tests/project/sample_records.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -268,5 +269,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAnalysisDigest)
+ODOGRAPH_TEST(TestAnalysisDigest, QCoreApplication)
 #include "tst_analysis_digest.moc"

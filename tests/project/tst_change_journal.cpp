@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "sample_records.h"
+#include "tests/support/registered_test.h"
 
 #include <QSqlDatabase>
 #include <QSqlQuery>
@@ -321,5 +322,5 @@ void TestChangeJournal::whatIsNotedIsToldAndStays()
     QCOMPARE(rows(), before);
 }
 
-QTEST_GUILESS_MAIN(TestChangeJournal)
+ODOGRAPH_TEST(TestChangeJournal, QCoreApplication)
 #include "tst_change_journal.moc"

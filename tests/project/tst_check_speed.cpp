@@ -7,6 +7,7 @@
 #include "core/project/repositories.h"
 #include "tests/project/sample_records.h"
 #include "tests/support/patience.h"
+#include "tests/support/registered_test.h"
 
 #include <QElapsedTimer>
 #include <QFile>
@@ -185,5 +186,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCheckSpeed)
+ODOGRAPH_TEST(TestCheckSpeed, QCoreApplication)
 #include "tst_check_speed.moc"

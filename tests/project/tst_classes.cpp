@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "sample_records.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -106,5 +107,5 @@ private:
     std::unique_ptr<Project> m_project;
 };
 
-QTEST_GUILESS_MAIN(TestClasses)
+ODOGRAPH_TEST(TestClasses, QCoreApplication)
 #include "tst_classes.moc"

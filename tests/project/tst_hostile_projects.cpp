@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/step_limit.h"
 #include "sample_records.h"
+#include "tests/support/registered_test.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -206,5 +207,5 @@ private:
     std::filesystem::path m_file;
 };
 
-QTEST_GUILESS_MAIN(TestHostileProjects)
+ODOGRAPH_TEST(TestHostileProjects, QCoreApplication)
 #include "tst_hostile_projects.moc"

@@ -5,6 +5,7 @@
 #include "core/project/names.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -243,5 +244,5 @@ private:
     std::unique_ptr<Project> m_project;
 };
 
-QTEST_GUILESS_MAIN(TestLimits)
+ODOGRAPH_TEST(TestLimits, QCoreApplication)
 #include "tst_limits.moc"

@@ -2,6 +2,7 @@
 #include "core/project/held_file.h"
 #include "core/project/recording_lock.h"
 #include "core/project/window_lock.h"
+#include "tests/support/registered_test.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -166,5 +167,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-QTEST_GUILESS_MAIN(TestLocks)
+ODOGRAPH_TEST(TestLocks, QCoreApplication)
 #include "tst_locks.moc"

@@ -5,6 +5,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/project/side_files.h"
+#include "tests/support/registered_test.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -385,5 +386,5 @@ private:
     fs::path m_file;
 };
 
-QTEST_GUILESS_MAIN(TestLogMark)
+ODOGRAPH_TEST(TestLogMark, QCoreApplication)
 #include "tst_log_mark.moc"

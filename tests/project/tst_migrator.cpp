@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/connection.h"
 #include "core/project/migrator.h"
+#include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -133,5 +134,5 @@ private:
     std::filesystem::path m_file;
 };
 
-QTEST_GUILESS_MAIN(TestMigrator)
+ODOGRAPH_TEST(TestMigrator, QCoreApplication)
 #include "tst_migrator.moc"

@@ -5,6 +5,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/project/schema.h"
+#include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QFile>
@@ -237,5 +238,5 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(TestOldProjects)
+ODOGRAPH_TEST(TestOldProjects, QCoreApplication)
 #include "tst_old_projects.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/place_warning.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
@@ -74,5 +76,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPlaceWarning)
+ODOGRAPH_TEST(TestPlaceWarning, QCoreApplication)
 #include "tst_place_warning.moc"

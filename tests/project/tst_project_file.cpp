@@ -6,6 +6,7 @@
 #include "core/project/schema.h"
 #include "core/project/write_turn.h"
 #include "sample_records.h"
+#include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QProcess>
@@ -408,5 +409,5 @@ private:
     RecordSource m_source{21};
 };
 
-QTEST_GUILESS_MAIN(TestProjectFile)
+ODOGRAPH_TEST(TestProjectFile, QCoreApplication)
 #include "tst_project_file.moc"

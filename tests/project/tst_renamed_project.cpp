@@ -3,6 +3,7 @@
 #include "core/project/project.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -117,5 +118,5 @@ private:
     std::unique_ptr<QTemporaryDir> m_folder;
 };
 
-QTEST_GUILESS_MAIN(TestRenamedProject)
+ODOGRAPH_TEST(TestRenamedProject, QCoreApplication)
 #include "tst_renamed_project.moc"

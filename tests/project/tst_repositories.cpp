@@ -3,6 +3,7 @@
 #include "core/project/repositories.h"
 #include "sample_records.h"
 #include "tests/project/same_records.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 
@@ -330,5 +331,5 @@ private:
     RecordSource m_source{7};
 };
 
-QTEST_GUILESS_MAIN(TestRepositories)
+ODOGRAPH_TEST(TestRepositories, QCoreApplication)
 #include "tst_repositories.moc"

@@ -6,6 +6,7 @@
 #include "core/project/sound_backup.h"
 #include "core/project/write_turn.h"
 #include "tests/support/program.h"
+#include "tests/support/registered_test.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -288,5 +289,5 @@ private:
     std::unique_ptr<Project> m_project;
 };
 
-QTEST_GUILESS_MAIN(TestSharedProject)
+ODOGRAPH_TEST(TestSharedProject, QCoreApplication)
 #include "tst_shared_project.moc"

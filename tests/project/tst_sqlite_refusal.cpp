@@ -3,6 +3,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/project/sqlite_refusal.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -74,5 +75,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSqliteRefusal)
+ODOGRAPH_TEST(TestSqliteRefusal, QCoreApplication)
 #include "tst_sqlite_refusal.moc"

@@ -3,6 +3,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "sample_records.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -253,5 +254,5 @@ void TestTaskChanges::figuresOfScoredRunsAreRead()
     QVERIFY(m_project->analyses().trialsMeasuredOtherwise()->empty());
 }
 
-QTEST_GUILESS_MAIN(TestTaskChanges)
+ODOGRAPH_TEST(TestTaskChanges, QCoreApplication)
 #include "tst_task_changes.moc"

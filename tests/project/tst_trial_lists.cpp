@@ -2,6 +2,7 @@
 // Trials in lists of many: all of them, page by page, their names, and one figure of each.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -210,5 +211,5 @@ private:
     std::map<std::string, RecordId> m_trials;
 };
 
-QTEST_GUILESS_MAIN(TestTrialLists)
+ODOGRAPH_TEST(TestTrialLists, QCoreApplication)
 #include "tst_trial_lists.moc"

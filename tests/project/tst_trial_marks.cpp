@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "sample_records.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -147,5 +148,5 @@ private:
     FilledProject m_filled;
 };
 
-QTEST_GUILESS_MAIN(TestTrialMarks)
+ODOGRAPH_TEST(TestTrialMarks, QCoreApplication)
 #include "tst_trial_marks.moc"

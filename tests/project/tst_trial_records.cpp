@@ -5,6 +5,7 @@
 #include "core/project/repositories.h"
 #include "sample_records.h"
 #include "tests/project/same_records.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 
@@ -361,5 +362,5 @@ private:
     RecordSource m_source{7};
 };
 
-QTEST_GUILESS_MAIN(TestTrialRecords)
+ODOGRAPH_TEST(TestTrialRecords, QCoreApplication)
 #include "tst_trial_records.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/renderer.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <opencv2/aruco/charuco.hpp>
@@ -144,5 +145,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBoardRenderer)
+ODOGRAPH_TEST(TestBoardRenderer, QCoreApplication)
 #include "tst_board_renderer.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/demo_robots.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <cmath>
 
@@ -92,5 +94,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestDemoRobots)
+ODOGRAPH_TEST(TestDemoRobots, QCoreApplication)
 #include "tst_demo_robots.moc"

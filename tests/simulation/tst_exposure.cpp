@@ -3,6 +3,7 @@
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/exposure.h"
 #include "core/simulation/renderer.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <cmath>
@@ -224,5 +225,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestExposure)
+ODOGRAPH_TEST(TestExposure, QCoreApplication)
 #include "tst_exposure.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/motion.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <numbers>
 
@@ -173,5 +175,5 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMotion)
+ODOGRAPH_TEST(TestMotion, QCoreApplication)
 #include "tst_motion.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/polygon_layer.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <random>
 
@@ -111,5 +113,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPolygonLayer)
+ODOGRAPH_TEST(TestPolygonLayer, QCoreApplication)
 #include "tst_polygon_layer.moc"

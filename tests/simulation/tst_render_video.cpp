@@ -2,6 +2,7 @@
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
 #include "core/video/video_reader.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -93,5 +94,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRenderVideo)
+ODOGRAPH_TEST(TestRenderVideo, QCoreApplication)
 #include "tst_render_video.moc"

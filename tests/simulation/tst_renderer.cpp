@@ -3,6 +3,7 @@
 #include "core/simulation/exposure.h"
 #include "core/simulation/renderer.h"
 #include "core/simulation/robot_body.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <apriltag/apriltag.h>
@@ -353,5 +354,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRenderer)
+ODOGRAPH_TEST(TestRenderer, QCoreApplication)
 #include "tst_renderer.moc"

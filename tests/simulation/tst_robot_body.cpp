@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/robot_body.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <algorithm>
 #include <optional>
@@ -196,5 +198,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRobotBody)
+ODOGRAPH_TEST(TestRobotBody, QCoreApplication)
 #include "tst_robot_body.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/demo_testbed.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <set>
@@ -144,5 +145,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestScene)
+ODOGRAPH_TEST(TestScene, QCoreApplication)
 #include "tst_scene.moc"

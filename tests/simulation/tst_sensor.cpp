@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/sensor.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <cmath>
 
@@ -196,5 +198,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSensor)
+ODOGRAPH_TEST(TestSensor, QCoreApplication)
 #include "tst_sensor.moc"

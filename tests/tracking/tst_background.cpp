@@ -4,6 +4,7 @@
 #include "core/tracking/background.h"
 #include "core/tracking/light_gain.h"
 #include "core/tracking/live_background.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 
@@ -129,5 +130,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBackground)
+ODOGRAPH_TEST(TestBackground, QCoreApplication)
 #include "tst_background.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/bit_mask.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 
 #include <cmath>
@@ -167,5 +169,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBitMask)
+ODOGRAPH_TEST(TestBitMask, QCoreApplication)
 #include "tst_bit_mask.moc"

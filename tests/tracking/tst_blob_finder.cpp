@@ -3,6 +3,7 @@
 #include "core/tracking/duplicate_detector.h"
 #include "core/tracking/motion_predictor.h"
 #include "core/tracking/region_score.h"
+#include "tests/support/registered_test.h"
 #include "tests/tracking/painter.h"
 
 #include <QtTest>
@@ -230,5 +231,5 @@ void TestBlobFinder::duplicatesByteForByte()
     QVERIFY(!detector.repeatsTheLast(Painter(testFormat(62, 48)).frame(3, 0.3, 0, random)));
 }
 
-QTEST_GUILESS_MAIN(TestBlobFinder)
+ODOGRAPH_TEST(TestBlobFinder, QCoreApplication)
 #include "tst_blob_finder.moc"

@@ -2,6 +2,7 @@
 #include "core/tracking/colour_tracker.h"
 #include "core/video/video_reader.h"
 #include "tests/support/real_material.h"
+#include "tests/support/registered_test.h"
 
 #include <QtTest>
 
@@ -70,5 +71,5 @@ void TestCapTwoViews::capIsFound()
     QVERIFY((seen.back().ellipse.centrePx - Eigen::Vector2d(lastX, lastY)).norm() < 10);
 }
 
-QTEST_GUILESS_MAIN(TestCapTwoViews)
+ODOGRAPH_TEST(TestCapTwoViews, QCoreApplication)
 #include "tst_cap_two_views.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/chroma_table.h"
+#include "tests/support/registered_test.h"
 #include "tests/tracking/painter.h"
 
 #include <QtTest>
@@ -190,5 +191,5 @@ void TestChroma::tableWeighsAgainstTheBackground()
     QCOMPARE(int(ChromaTable().weight(100, 200)), 0);
 }
 
-QTEST_GUILESS_MAIN(TestChroma)
+ODOGRAPH_TEST(TestChroma, QCoreApplication)
 #include "tst_chroma.moc"

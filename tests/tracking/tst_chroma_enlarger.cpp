@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/chroma_enlarger.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 
 using namespace odo;
@@ -53,5 +55,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestChromaEnlarger)
+ODOGRAPH_TEST(TestChromaEnlarger, QCoreApplication)
 #include "tst_chroma_enlarger.moc"

@@ -4,6 +4,7 @@
 #include "core/simulation/renderer.h"
 #include "core/tracking/colour_tracker.h"
 #include "core/video/video_reader.h"
+#include "tests/support/registered_test.h"
 #include "tests/tracking/silhouette.h"
 
 #include <QTemporaryDir>
@@ -120,5 +121,5 @@ void TestCodedAccuracy::centresAreRight()
     QVERIFY(most95 <= most95Px);
 }
 
-QTEST_GUILESS_MAIN(TestCodedAccuracy)
+ODOGRAPH_TEST(TestCodedAccuracy, QCoreApplication)
 #include "tst_coded_accuracy.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/colour_tracker.h"
+#include "tests/support/registered_test.h"
 #include "tests/tracking/painter.h"
 #include "tests/tracking/tracked_robots.h"
 
@@ -295,5 +296,5 @@ void TestColourTracker::newFormatStartsAnew()
     }
 }
 
-QTEST_GUILESS_MAIN(TestColourTracker)
+ODOGRAPH_TEST(TestColourTracker, QCoreApplication)
 #include "tst_colour_tracker.moc"

@@ -4,6 +4,7 @@
 #include "core/tracking/difference_lattice.h"
 #include "core/tracking/difference_windows.h"
 #include "core/tracking/region_edge.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 
@@ -234,5 +235,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestComparedWindow)
+ODOGRAPH_TEST(TestComparedWindow, QCoreApplication)
 #include "tst_compared_window.moc"

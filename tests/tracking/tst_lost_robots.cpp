@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/colour_tracker.h"
+#include "tests/support/registered_test.h"
 #include "tests/tracking/painter.h"
 #include "tests/tracking/tracked_robots.h"
 
@@ -176,5 +177,5 @@ void TestLostRobots::noRobotInThePicture()
     }
 }
 
-QTEST_GUILESS_MAIN(TestLostRobots)
+ODOGRAPH_TEST(TestLostRobots, QCoreApplication)
 #include "tst_lost_robots.moc"

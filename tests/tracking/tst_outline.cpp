@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/colour_tracker.h"
 #include "core/tracking/moment_ellipse.h"
+#include "tests/support/registered_test.h"
 #include "tests/tracking/painter.h"
 #include "tests/tracking/silhouette.h"
 
@@ -263,5 +264,5 @@ void TestOutline::statedScatter()
     QVERIFY(ratio.maxCoeff() < 1.6);
 }
 
-QTEST_GUILESS_MAIN(TestOutline)
+ODOGRAPH_TEST(TestOutline, QCoreApplication)
 #include "tst_outline.moc"

@@ -2,6 +2,7 @@
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
 #include "core/tracking/colour_tracker.h"
+#include "tests/support/registered_test.h"
 
 #include <QtTest>
 #include <cstring>
@@ -194,5 +195,5 @@ void TestPartialFrames::damagedRestIsNoRobot()
     QCOMPARE(completions, 1);
 }
 
-QTEST_GUILESS_MAIN(TestPartialFrames)
+ODOGRAPH_TEST(TestPartialFrames, QCoreApplication)
 #include "tst_partial_frames.moc"

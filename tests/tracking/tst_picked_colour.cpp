@@ -4,6 +4,7 @@
 #include "core/tracking/chroma.h"
 #include "core/tracking/colour_tracker.h"
 #include "core/tracking/picked_colour.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <cmath>
@@ -168,5 +169,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPickedColour)
+ODOGRAPH_TEST(TestPickedColour, QCoreApplication)
 #include "tst_picked_colour.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/region_sharing.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QtTest>
 
 using namespace odo;
@@ -102,5 +104,5 @@ void TestRegionSharing::silhouettesOneBehindTheOther()
     QVERIFY((centres[1] - Vector2d(40.5, 30.5)).norm() < 1.5);
 }
 
-QTEST_GUILESS_MAIN(TestRegionSharing)
+ODOGRAPH_TEST(TestRegionSharing, QCoreApplication)
 #include "tst_region_sharing.moc"

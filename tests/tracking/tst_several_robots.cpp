@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/renderer.h"
 #include "core/tracking/colour_tracker.h"
+#include "tests/support/registered_test.h"
 #include "tests/tracking/crossing_scenes.h"
 
 #include <QtTest>
@@ -143,5 +144,5 @@ void TestSeveralRobots::crossing()
     QCOMPARE(outcome.exchanges, 0);
 }
 
-QTEST_GUILESS_MAIN(TestSeveralRobots)
+ODOGRAPH_TEST(TestSeveralRobots, QCoreApplication)
 #include "tst_several_robots.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/silhouette_parts.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 
 using namespace odo;
@@ -106,5 +108,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSilhouetteParts)
+ODOGRAPH_TEST(TestSilhouetteParts, QCoreApplication)
 #include "tst_silhouette_parts.moc"

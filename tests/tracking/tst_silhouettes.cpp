@@ -4,6 +4,7 @@
 #include "core/geometry/support.h"
 #include "core/tracking/robot_tracker.h"
 #include "core/tracking/silhouette_finder.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 
@@ -361,5 +362,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSilhouettes)
+ODOGRAPH_TEST(TestSilhouettes, QCoreApplication)
 #include "tst_silhouettes.moc"

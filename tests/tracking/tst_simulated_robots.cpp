@@ -3,6 +3,7 @@
 #include "core/simulation/renderer.h"
 #include "core/simulation/robot_body.h"
 #include "core/tracking/colour_tracker.h"
+#include "tests/support/registered_test.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -140,5 +141,5 @@ void TestSimulatedRobots::reflectionsLowerTheScore()
     QVERIFY(disturbed < 12);
 }
 
-QTEST_GUILESS_MAIN(TestSimulatedRobots)
+ODOGRAPH_TEST(TestSimulatedRobots, QCoreApplication)
 #include "tst_simulated_robots.moc"

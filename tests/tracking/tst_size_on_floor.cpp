@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/size_on_floor.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <cmath>
 
@@ -76,5 +78,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSizeOnFloor)
+ODOGRAPH_TEST(TestSizeOnFloor, QCoreApplication)
 #include "tst_size_on_floor.moc"

@@ -2,6 +2,7 @@
 #include "tests/trajectory/filmed_solid.h"
 
 #include "core/trajectory/axis_track.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <numbers>
@@ -111,5 +112,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAxisTrack)
+ODOGRAPH_TEST(TestAxisTrack, QCoreApplication)
 #include "tst_axis_track.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/body_direction.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <functional>
 #include <numbers>
@@ -102,5 +104,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBodyDirection)
+ODOGRAPH_TEST(TestBodyDirection, QCoreApplication)
 #include "tst_body_direction.moc"

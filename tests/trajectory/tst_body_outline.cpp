@@ -5,6 +5,7 @@
 #include "core/trajectory/axis_track.h"
 #include "core/trajectory/floor_positions.h"
 #include "core/trajectory/shape_estimation.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <numbers>
@@ -247,5 +248,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBodyOutline)
+ODOGRAPH_TEST(TestBodyOutline, QCoreApplication)
 #include "tst_body_outline.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/clip_evidence.h"
+#include "tests/support/registered_test.h"
 #include "tests/trajectory/synthetic_light.h"
 #include "tests/trajectory/synthetic_trial.h"
 
@@ -238,5 +239,5 @@ void TestClipEvidence::worksWithoutAnyRobot()
              none.error().why.c_str());
 }
 
-QTEST_GUILESS_MAIN(TestClipEvidence)
+ODOGRAPH_TEST(TestClipEvidence, QCoreApplication)
 #include "tst_clip_evidence.moc"

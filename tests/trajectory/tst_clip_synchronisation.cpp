@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/clip_synchronisation.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <cmath>
 #include <random>
@@ -168,5 +170,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestClipSynchronisation)
+ODOGRAPH_TEST(TestClipSynchronisation, QCoreApplication)
 #include "tst_clip_synchronisation.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/clip_evidence.h"
+#include "tests/support/registered_test.h"
 #include "tests/trajectory/synthetic_trial.h"
 
 #include <QTest>
@@ -124,5 +125,5 @@ void TestClockRates::tenMinutesNeedTheRate()
     QVERIFY(wrongM > 2 * rightM); // half of 30 ms at 0.4 m/s is 6 mm
 }
 
-QTEST_GUILESS_MAIN(TestClockRates)
+ODOGRAPH_TEST(TestClockRates, QCoreApplication)
 #include "tst_clock_rates.moc"

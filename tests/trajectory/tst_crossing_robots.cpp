@@ -3,6 +3,7 @@
 #include "core/tracking/colour_tracker.h"
 #include "core/trajectory/name_assignment.h"
 #include "core/trajectory/tracklets.h"
+#include "tests/support/registered_test.h"
 #include "tests/tracking/crossing_scenes.h"
 
 #include <QtTest>
@@ -139,5 +140,5 @@ void TestCrossingRobots::namesAreKept()
     QCOMPARE(behind, 0);
 }
 
-QTEST_GUILESS_MAIN(TestCrossingRobots)
+ODOGRAPH_TEST(TestCrossingRobots, QCoreApplication)
 #include "tst_crossing_robots.moc"

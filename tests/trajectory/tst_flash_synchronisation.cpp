@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/flash_synchronisation.h"
+#include "tests/support/registered_test.h"
 #include "tests/trajectory/synthetic_light.h"
 
 #include <QTest>
@@ -234,5 +235,5 @@ void TestFlashSynchronisation::findsTheRateFromFlashesFarApart()
     QVERIFY(std::abs(found->offsetS - 0.7) < 3 * found->sigmaS);
 }
 
-QTEST_GUILESS_MAIN(TestFlashSynchronisation)
+ODOGRAPH_TEST(TestFlashSynchronisation, QCoreApplication)
 #include "tst_flash_synchronisation.moc"

@@ -5,6 +5,7 @@
 #include "core/trajectory/view_interpolation.h"
 
 #include "synthetic_trial.h"
+#include "tests/support/registered_test.h"
 
 #include <Eigen/Cholesky>
 #include <QTest>
@@ -254,5 +255,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFusion)
+ODOGRAPH_TEST(TestFusion, QCoreApplication)
 #include "tst_fusion.moc"

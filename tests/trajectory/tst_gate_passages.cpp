@@ -5,6 +5,7 @@
 #include "core/trajectory/spike_flags.h"
 
 #include "synthetic_trial.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 
@@ -278,5 +279,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestGatePassages)
+ODOGRAPH_TEST(TestGatePassages, QCoreApplication)
 #include "tst_gate_passages.moc"

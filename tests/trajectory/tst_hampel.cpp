@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/hampel.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <random>
 
@@ -71,5 +73,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestHampel)
+ODOGRAPH_TEST(TestHampel, QCoreApplication)
 #include "tst_hampel.moc"

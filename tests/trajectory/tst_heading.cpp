@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/heading.h"
 #include "core/trajectory/profile_points.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <numbers>
@@ -114,5 +115,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestHeading)
+ODOGRAPH_TEST(TestHeading, QCoreApplication)
 #include "tst_heading.moc"

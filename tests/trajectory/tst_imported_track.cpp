@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/imported_track.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <random>
 
@@ -167,5 +169,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestImportedTrack)
+ODOGRAPH_TEST(TestImportedTrack, QCoreApplication)
 #include "tst_imported_track.moc"

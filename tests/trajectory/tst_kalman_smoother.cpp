@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/kalman_smoother.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <functional>
 #include <random>
@@ -343,5 +345,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestKalmanSmoother)
+ODOGRAPH_TEST(TestKalmanSmoother, QCoreApplication)
 #include "tst_kalman_smoother.moc"

@@ -2,6 +2,7 @@
 #include "tests/trajectory/synthetic_trial.h"
 
 #include "core/trajectory/level_reach.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <algorithm>
@@ -161,5 +162,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLevelReach)
+ODOGRAPH_TEST(TestLevelReach, QCoreApplication)
 #include "tst_level_reach.moc"

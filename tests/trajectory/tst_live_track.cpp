@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/live_track.h"
 #include "synthetic_trial.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 
@@ -201,5 +202,5 @@ void TestLiveTrack::aSpikeIsNotTakenAndARobotPutElsewhereIs()
             0.02);
 }
 
-QTEST_GUILESS_MAIN(TestLiveTrack)
+ODOGRAPH_TEST(TestLiveTrack, QCoreApplication)
 #include "tst_live_track.moc"

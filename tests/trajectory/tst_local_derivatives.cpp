@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/local_derivatives.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <cmath>
 
@@ -84,5 +86,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLocalDerivatives)
+ODOGRAPH_TEST(TestLocalDerivatives, QCoreApplication)
 #include "tst_local_derivatives.moc"

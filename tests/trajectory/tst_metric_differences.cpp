@@ -3,6 +3,7 @@
 #include "core/trajectory/metrics.h"
 
 #include "synthetic_run.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 
@@ -79,5 +80,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMetricDifferences)
+ODOGRAPH_TEST(TestMetricDifferences, QCoreApplication)
 #include "tst_metric_differences.moc"

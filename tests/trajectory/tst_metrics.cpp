@@ -5,6 +5,7 @@
 #include "core/trajectory/profile_points.h"
 
 #include "synthetic_trial.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <map>
@@ -184,5 +185,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMetrics)
+ODOGRAPH_TEST(TestMetrics, QCoreApplication)
 #include "tst_metrics.moc"

@@ -2,6 +2,7 @@
 #include "core/tracking/chroma.h"
 #include "core/trajectory/name_assignment.h"
 #include "core/trajectory/tracklets.h"
+#include "tests/support/registered_test.h"
 #include "tests/trajectory/synthetic_trial.h"
 
 #include <Eigen/Geometry>
@@ -397,5 +398,5 @@ void TestNameAssignment::whereNothingDecidesIsDoubtful()
     QCOMPARE(assignNames(passing, std::vector<NamedRobot>(2)).doubts.size(), std::size_t(0));
 }
 
-QTEST_GUILESS_MAIN(TestNameAssignment)
+ODOGRAPH_TEST(TestNameAssignment, QCoreApplication)
 #include "tst_name_assignment.moc"

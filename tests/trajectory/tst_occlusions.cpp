@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/occlusions.h"
 #include "synthetic_run.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <numbers>
@@ -163,5 +164,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestOcclusions)
+ODOGRAPH_TEST(TestOcclusions, QCoreApplication)
 #include "tst_occlusions.moc"

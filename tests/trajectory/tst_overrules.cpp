@@ -2,6 +2,7 @@
 #include "core/trajectory/overrules.h"
 
 #include "synthetic_trial.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 
@@ -81,5 +82,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestOverrules)
+ODOGRAPH_TEST(TestOverrules, QCoreApplication)
 #include "tst_overrules.moc"

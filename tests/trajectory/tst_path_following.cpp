@@ -4,6 +4,7 @@
 #include "core/trajectory/task_metrics.h"
 
 #include "synthetic_run.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <map>
@@ -216,5 +217,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPathFollowing)
+ODOGRAPH_TEST(TestPathFollowing, QCoreApplication)
 #include "tst_path_following.moc"

@@ -4,6 +4,7 @@
 #include "core/trajectory/driven_way.h"
 #include "core/trajectory/metrics.h"
 #include "core/trajectory/profile_points.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <cmath>
@@ -100,5 +101,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestQuantityCurve)
+ODOGRAPH_TEST(TestQuantityCurve, QCoreApplication)
 #include "tst_quantity_curve.moc"

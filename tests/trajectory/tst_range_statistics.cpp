@@ -3,6 +3,7 @@
 // known truth.
 #include "core/trajectory/profile_points.h"
 #include "core/trajectory/range_statistics.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <cmath>
@@ -327,5 +328,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRangeStatistics)
+ODOGRAPH_TEST(TestRangeStatistics, QCoreApplication)
 #include "tst_range_statistics.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/reach_correction.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <numbers>
 #include <numeric>
@@ -121,5 +123,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestReachCorrection)
+ODOGRAPH_TEST(TestReachCorrection, QCoreApplication)
 #include "tst_reach_correction.moc"

@@ -5,6 +5,7 @@
 #include "core/trajectory/reach_learning.h"
 #include "core/trajectory/shape_estimation.h"
 #include "core/trajectory/solid_choice.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <numbers>
@@ -209,5 +210,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestReachLearning)
+ODOGRAPH_TEST(TestReachLearning, QCoreApplication)
 #include "tst_reach_learning.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/repeated_pictures.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <random>
 
@@ -91,5 +93,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRepeatedPictures)
+ODOGRAPH_TEST(TestRepeatedPictures, QCoreApplication)
 #include "tst_repeated_pictures.moc"

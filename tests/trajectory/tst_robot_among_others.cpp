@@ -3,6 +3,7 @@
 #include "core/geometry/support.h"
 #include "core/trajectory/name_assignment.h"
 #include "core/trajectory/trimmed_outlines.h"
+#include "tests/support/registered_test.h"
 #include "tests/trajectory/synthetic_trial.h"
 
 #include <QtTest>
@@ -225,6 +226,6 @@ void TestRobotAmongOthers::uncutOutlinesTellLess()
     doubtUntrimmed({});
 }
 
-QTEST_GUILESS_MAIN(TestRobotAmongOthers)
+ODOGRAPH_TEST(TestRobotAmongOthers, QCoreApplication)
 
 #include "tst_robot_among_others.moc"

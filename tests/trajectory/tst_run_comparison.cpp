@@ -7,6 +7,7 @@
 #include "core/trajectory/sector_times.h"
 
 #include "synthetic_run.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 
@@ -432,5 +433,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRunComparison)
+ODOGRAPH_TEST(TestRunComparison, QCoreApplication)
 #include "tst_run_comparison.moc"

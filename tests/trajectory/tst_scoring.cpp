@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/scoring.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <cmath>
 #include <limits>
@@ -144,5 +146,5 @@ void TestScoring::refusesWhatCannotBeComputed()
              std::string("it has more than 30 lines"));
 }
 
-QTEST_GUILESS_MAIN(TestScoring)
+ODOGRAPH_TEST(TestScoring, QCoreApplication)
 #include "tst_scoring.moc"

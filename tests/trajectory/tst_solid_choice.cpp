@@ -4,6 +4,7 @@
 #include "core/trajectory/axis_track.h"
 #include "core/trajectory/body_direction.h"
 #include "core/trajectory/solid_choice.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <numbers>
@@ -171,5 +172,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSolidChoice)
+ODOGRAPH_TEST(TestSolidChoice, QCoreApplication)
 #include "tst_solid_choice.moc"

@@ -2,6 +2,7 @@
 #include "core/trajectory/spike_flags.h"
 
 #include "spiked_track.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <set>
@@ -272,5 +273,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSpikeFlags)
+ODOGRAPH_TEST(TestSpikeFlags, QCoreApplication)
 #include "tst_spike_flags.moc"

@@ -3,6 +3,7 @@
 #include "core/trajectory/spike_flags.h"
 
 #include "spiked_track.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 
@@ -187,5 +188,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSpikeSearch)
+ODOGRAPH_TEST(TestSpikeSearch, QCoreApplication)
 #include "tst_spike_search.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/task_templates.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <cmath>
 #include <limits>
@@ -138,5 +140,5 @@ void TestTaskTemplates::refusesSizesThatAreNone()
              std::string("template of a task: a slalom has 1 to 100 poles, not 101; give another number"));
 }
 
-QTEST_GUILESS_MAIN(TestTaskTemplates)
+ODOGRAPH_TEST(TestTaskTemplates, QCoreApplication)
 #include "tst_task_templates.moc"

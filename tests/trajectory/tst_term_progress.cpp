@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/term_progress.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <numbers>
 #include <random>
@@ -115,5 +117,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTermProgress)
+ODOGRAPH_TEST(TestTermProgress, QCoreApplication)
 #include "tst_term_progress.moc"

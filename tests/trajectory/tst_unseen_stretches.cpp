@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/unseen_stretches.h"
 #include "synthetic_trial.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 
@@ -67,5 +68,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestUnseenStretches)
+ODOGRAPH_TEST(TestUnseenStretches, QCoreApplication)
 #include "tst_unseen_stretches.moc"

@@ -2,6 +2,7 @@
 #include "core/trajectory/view_disagreement.h"
 
 #include "synthetic_trial.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <cmath>
@@ -96,5 +97,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestViewDisagreement)
+ODOGRAPH_TEST(TestViewDisagreement, QCoreApplication)
 #include "tst_view_disagreement.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/task_metrics.h"
 #include "core/trajectory/zone_breaches.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <cmath>
@@ -211,5 +212,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestZones)
+ODOGRAPH_TEST(TestZones, QCoreApplication)
 #include "tst_zones.moc"

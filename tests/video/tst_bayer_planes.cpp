@@ -2,6 +2,7 @@
 #include "core/video/bayer_planes.h"
 
 #include "raw_colours.h"
+#include "tests/support/registered_test.h"
 
 using namespace odo;
 using namespace odo::test;
@@ -148,5 +149,5 @@ void TestBayerPlanes::saysWhatItIs()
     QVERIFY(frame.format.fullRange);
 }
 
-QTEST_GUILESS_MAIN(TestBayerPlanes)
+ODOGRAPH_TEST(TestBayerPlanes, QCoreApplication)
 #include "tst_bayer_planes.moc"

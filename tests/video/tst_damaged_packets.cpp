@@ -5,6 +5,7 @@
 #include "core/video/video_input.h"
 #include "core/video/video_reader.h"
 #include "tests/support/patience.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -256,5 +257,5 @@ void TestDamagedPackets::betweenThePackets()
     QVERIFY2(m_longestS < 1 * slowness, qPrintable(QString::number(m_longestS)));
 }
 
-QTEST_GUILESS_MAIN(TestDamagedPackets)
+ODOGRAPH_TEST(TestDamagedPackets, QCoreApplication)
 #include "tst_damaged_packets.moc"

@@ -4,6 +4,7 @@
 #include "core/video/libav.h"
 #include "core/video/video_reader.h"
 #include "foreign_files.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -223,5 +224,5 @@ void TestForeignFiles::sitingBehindAnOddListOfScales()
     QCOMPARE(*location, 3U);
 }
 
-QTEST_GUILESS_MAIN(TestForeignFiles)
+ODOGRAPH_TEST(TestForeignFiles, QCoreApplication)
 #include "tst_foreign_files.moc"

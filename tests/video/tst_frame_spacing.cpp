@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/frame_spacing.h"
+#include "tests/support/registered_test.h"
 #include "tests/video/coded_frames.h"
 
 #include <QTest>
@@ -53,5 +54,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFrameSpacing)
+ODOGRAPH_TEST(TestFrameSpacing, QCoreApplication)
 #include "tst_frame_spacing.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coded_frames.h"
 #include "core/video/frame_stream.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -110,5 +111,5 @@ void TestFrameStream::refusesWhatTheReaderRefuses()
     QCOMPARE(stream.error().code, ErrorCode::NotFound);
 }
 
-QTEST_GUILESS_MAIN(TestFrameStream)
+ODOGRAPH_TEST(TestFrameStream, QCoreApplication)
 #include "tst_frame_stream.moc"

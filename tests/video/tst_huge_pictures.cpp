@@ -5,6 +5,7 @@
 #include "core/video/picture_reader.h"
 #include "core/video/picture_writer.h"
 #include "core/video/video_reader.h"
+#include "tests/support/registered_test.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -217,5 +218,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-QTEST_GUILESS_MAIN(TestHugePictures)
+ODOGRAPH_TEST(TestHugePictures, QCoreApplication)
 #include "tst_huge_pictures.moc"

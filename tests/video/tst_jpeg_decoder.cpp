@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/jpeg_decoder.h"
 #include "jpeg_pictures.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 
@@ -232,5 +233,5 @@ void TestJpegDecoder::memoryOutlivesTheDecoder()
     QCOMPARE(largestDifference(kept, again, {0, 0, 320, 240}), 0);
 }
 
-QTEST_GUILESS_MAIN(TestJpegDecoder)
+ODOGRAPH_TEST(TestJpegDecoder, QCoreApplication)
 #include "tst_jpeg_decoder.moc"

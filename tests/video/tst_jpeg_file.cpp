@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/jpeg_file.h"
 #include "jpeg_pictures.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 
@@ -84,5 +85,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestJpegFile)
+ODOGRAPH_TEST(TestJpegFile, QCoreApplication)
 #include "tst_jpeg_file.moc"

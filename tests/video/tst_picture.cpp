@@ -2,6 +2,7 @@
 #include "core/video/picture.h"
 
 #include "coded_frames.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 
@@ -160,5 +161,5 @@ void TestPicture::sidesBeyondFixedPoint()
     }
 }
 
-QTEST_GUILESS_MAIN(TestPicture)
+ODOGRAPH_TEST(TestPicture, QCoreApplication)
 #include "tst_picture.moc"

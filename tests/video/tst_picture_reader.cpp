@@ -5,6 +5,7 @@
 #include "core/video/picture.h"
 #include "core/video/picture_writer.h"
 #include "jpeg_pictures.h"
+#include "tests/support/registered_test.h"
 
 #include <QImage>
 #include <QTemporaryDir>
@@ -361,5 +362,5 @@ void TestPictureReader::refusals()
     QCOMPARE(readPicture(path("missing.png")).error().code, ErrorCode::NotFound);
 }
 
-QTEST_GUILESS_MAIN(TestPictureReader)
+ODOGRAPH_TEST(TestPictureReader, QCoreApplication)
 #include "tst_picture_reader.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coded_frames.h"
 #include "core/video/video_reader.h"
+#include "tests/support/registered_test.h"
 
 #include <QFile>
 #include <QSize>
@@ -64,5 +65,5 @@ void TestRealClips::realClips()
         QCOMPARE(fingerprint((*reader)->frameAt(index).value()), sequential[static_cast<std::size_t>(index)]);
 }
 
-QTEST_GUILESS_MAIN(TestRealClips)
+ODOGRAPH_TEST(TestRealClips, QCoreApplication)
 #include "tst_real_clips.moc"

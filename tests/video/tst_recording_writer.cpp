@@ -2,6 +2,7 @@
 #include "core/video/jpeg_encoder.h"
 #include "core/video/recording_writer.h"
 #include "core/video/video_reader.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -167,5 +168,5 @@ void TestRecordingWriter::tellsWhatStandsInItsWay()
     QVERIFY(nowhere.error().message().find("check that its folder may be written to") != std::string::npos);
 }
 
-QTEST_GUILESS_MAIN(TestRecordingWriter)
+ODOGRAPH_TEST(TestRecordingWriter, QCoreApplication)
 #include "tst_recording_writer.moc"

@@ -2,6 +2,7 @@
 #include "core/video/rgb_planes.h"
 
 #include "raw_colours.h"
+#include "tests/support/registered_test.h"
 
 using namespace odo;
 using namespace odo::test;
@@ -118,5 +119,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRgbPlanes)
+ODOGRAPH_TEST(TestRgbPlanes, QCoreApplication)
 #include "tst_rgb_planes.moc"

@@ -3,6 +3,7 @@
 #include "coded_frames.h"
 #include "core/video/picture_reader.h"
 #include "core/video/video_reader.h"
+#include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -156,5 +157,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-QTEST_GUILESS_MAIN(TestVideoConfinement)
+ODOGRAPH_TEST(TestVideoConfinement, QCoreApplication)
 #include "tst_video_confinement.moc"

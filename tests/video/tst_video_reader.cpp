@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coded_frames.h"
 #include "core/video/video_reader.h"
+#include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QScopeGuard>
@@ -376,5 +377,5 @@ void TestVideoReader::playlistsOpenNothing()
     }
 }
 
-QTEST_GUILESS_MAIN(TestVideoReader)
+ODOGRAPH_TEST(TestVideoReader, QCoreApplication)
 #include "tst_video_reader.moc"

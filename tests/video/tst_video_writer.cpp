@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coded_frames.h"
 #include "core/video/video_reader.h"
+#include "tests/support/registered_test.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -230,5 +231,5 @@ void TestVideoWriter::refusals()
     QVERIFY(!VideoWriter::create(path("empty.mkv"), smallFormat(), {}).value()->finish().has_value());
 }
 
-QTEST_GUILESS_MAIN(TestVideoWriter)
+ODOGRAPH_TEST(TestVideoWriter, QCoreApplication)
 #include "tst_video_writer.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs on this machine: the emulated one records to a disk of its own, and its power is cut.
 #include "core/video/video_reader.h"
+#include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QFile>
@@ -167,5 +168,5 @@ private:
     bool m_skipped = false;
 };
 
-QTEST_GUILESS_MAIN(TestPowerCut)
+ODOGRAPH_TEST(TestPowerCut, QCoreApplication)
 #include "tst_power_cut.moc"

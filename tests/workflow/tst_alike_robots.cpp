@@ -3,6 +3,7 @@
 // of six robots; by default a few of two.
 #include "core/simulation/demo_testbed.h"
 #include "core/workflow/robot_names.h"
+#include "tests/support/registered_test.h"
 #include "tests/workflow/measured_scene.h"
 
 #include <QTemporaryDir>
@@ -179,5 +180,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAlikeRobots)
+ODOGRAPH_TEST(TestAlikeRobots, QCoreApplication)
 #include "tst_alike_robots.moc"

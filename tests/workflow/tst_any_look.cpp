@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Robots that are no plain boxes, without a word about them or with their colour told, from the videos to the curves.
 #include "core/simulation/demo_testbed.h"
+#include "tests/support/registered_test.h"
 #include "tests/workflow/measured_scene.h"
 
 #include <QTest>
@@ -74,5 +75,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAnyLook)
+ODOGRAPH_TEST(TestAnyLook, QCoreApplication)
 #include "tst_any_look.moc"

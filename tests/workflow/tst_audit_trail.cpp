@@ -6,6 +6,7 @@
 #include "core/workflow/register_job.h"
 #include "core/workflow/reprocess_job.h"
 #include "core/workflow/track_job.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 
 #include <QTemporaryDir>
@@ -75,5 +76,5 @@ private:
     std::unique_ptr<Project> m_project;
 };
 
-QTEST_GUILESS_MAIN(TestAuditTrail)
+ODOGRAPH_TEST(TestAuditTrail, QCoreApplication)
 #include "tst_audit_trail.moc"

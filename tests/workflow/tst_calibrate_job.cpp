@@ -8,6 +8,7 @@
 #include "core/video/picture_writer.h"
 #include "core/workflow/calibrate_job.h"
 #include "core/workflow/cameras.h"
+#include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QFile>
@@ -359,5 +360,5 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCalibrateJob)
+ODOGRAPH_TEST(TestCalibrateJob, QCoreApplication)
 #include "tst_calibrate_job.moc"

@@ -2,6 +2,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/calibration_warnings.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -127,5 +128,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCalibrationWarnings)
+ODOGRAPH_TEST(TestCalibrationWarnings, QCoreApplication)
 #include "tst_calibration_warnings.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/workflow/copy_job.h"
+#include "tests/support/registered_test.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -61,5 +62,5 @@ private:
     std::unique_ptr<Project> m_project;
 };
 
-QTEST_GUILESS_MAIN(TestCopyJob)
+ODOGRAPH_TEST(TestCopyJob, QCoreApplication)
 #include "tst_copy_job.moc"

@@ -4,6 +4,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/robot_names.h"
 #include "core/workflow/track_job.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 
 #include <QTemporaryDir>
@@ -71,5 +72,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestDoubtfulNames)
+ODOGRAPH_TEST(TestDoubtfulNames, QCoreApplication)
 #include "tst_doubtful_names.moc"

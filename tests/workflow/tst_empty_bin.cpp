@@ -2,6 +2,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/empty_bin.h"
+#include "tests/support/registered_test.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -125,5 +126,5 @@ private:
     RecordId m_camera = 0;
 };
 
-QTEST_GUILESS_MAIN(TestEmptyBin)
+ODOGRAPH_TEST(TestEmptyBin, QCoreApplication)
 #include "tst_empty_bin.moc"

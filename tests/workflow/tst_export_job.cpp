@@ -2,6 +2,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/export_job.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 
 #include <QDir>
@@ -76,5 +77,5 @@ private:
     std::unique_ptr<Project> m_project;
 };
 
-QTEST_GUILESS_MAIN(TestExportJob)
+ODOGRAPH_TEST(TestExportJob, QCoreApplication)
 #include "tst_export_job.moc"

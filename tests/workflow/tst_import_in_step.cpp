@@ -4,6 +4,7 @@
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
 #include "core/workflow/import_trial_job.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -125,5 +126,5 @@ void TestImportInStep::refusesStepsOfOtherNumber()
     QVERIFY(!m_project->trials().find("wrong"));
 }
 
-QTEST_GUILESS_MAIN(TestImportInStep)
+ODOGRAPH_TEST(TestImportInStep, QCoreApplication)
 #include "tst_import_in_step.moc"

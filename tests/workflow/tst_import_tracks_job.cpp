@@ -11,6 +11,7 @@
 #include "core/workflow/overrule_job.h"
 #include "core/workflow/reprocess_job.h"
 #include "core/workflow/track_job.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/project_content.h"
 
 #include <QCryptographicHash>
@@ -255,5 +256,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestImportTracksJob)
+ODOGRAPH_TEST(TestImportTracksJob, QCoreApplication)
 #include "tst_import_tracks_job.moc"

@@ -2,6 +2,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/import_trial_job.h"
+#include "tests/support/registered_test.h"
 #include "tests/video/coded_frames.h"
 
 #include <QTemporaryDir>
@@ -77,5 +78,5 @@ private:
     std::unique_ptr<Project> m_project;
 };
 
-QTEST_GUILESS_MAIN(TestImportTrial)
+ODOGRAPH_TEST(TestImportTrial, QCoreApplication)
 #include "tst_import_trial.moc"

@@ -2,6 +2,7 @@
 #include "core/project/project.h"
 #include "core/workflow/job.h"
 #include "core/workflow/job_runner.h"
+#include "tests/support/registered_test.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -128,5 +129,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestJobRunner)
+ODOGRAPH_TEST(TestJobRunner, QCoreApplication)
 #include "tst_job_runner.moc"

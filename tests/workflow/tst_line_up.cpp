@@ -3,6 +3,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/line_up.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -160,5 +161,5 @@ void TestLineUp::archivedClassesAreNotUp()
     QCOMPARE(up.first().team, std::string("Falcon")); // not who comes after a team that is not up
 }
 
-QTEST_GUILESS_MAIN(TestLineUp)
+ODOGRAPH_TEST(TestLineUp, QCoreApplication)
 #include "tst_line_up.moc"

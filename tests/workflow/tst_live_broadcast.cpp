@@ -3,6 +3,7 @@
 #include "core/workflow/live_broadcast.h"
 #include "tests/support/datagram_receiver.h"
 #include "tests/support/protobuf_decoder.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <chrono>
@@ -161,5 +162,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLiveBroadcast)
+ODOGRAPH_TEST(TestLiveBroadcast, QCoreApplication)
 #include "tst_live_broadcast.moc"

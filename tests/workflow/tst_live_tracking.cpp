@@ -3,6 +3,7 @@
 
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 #include <atomic>
@@ -250,5 +251,5 @@ void TestLiveTracking::saysHowFarBehindTheMapIs()
     QCOMPARE(liveWords({60, 12, 0.051, 0.06}), std::string("the map is 51 ms behind, 12 skipped"));
 }
 
-QTEST_GUILESS_MAIN(TestLiveTracking)
+ODOGRAPH_TEST(TestLiveTracking, QCoreApplication)
 #include "tst_live_tracking.moc"

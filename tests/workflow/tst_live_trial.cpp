@@ -8,6 +8,7 @@
 #include "core/workflow/live_trial.h"
 #include "core/workflow/recover_job.h"
 #include "tests/capture/played_camera.h"
+#include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -389,5 +390,5 @@ void TestLiveTrial::aDiskThatIsTakenAwayKeepsTheTrial()
         QVERIFY(recording.frameTimes.size() >= std::size_t(lot));
 }
 
-QTEST_GUILESS_MAIN(TestLiveTrial)
+ODOGRAPH_TEST(TestLiveTrial, QCoreApplication)
 #include "tst_live_trial.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/media_copy.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
@@ -139,5 +141,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMediaCopy)
+ODOGRAPH_TEST(TestMediaCopy, QCoreApplication)
 #include "tst_media_copy.moc"

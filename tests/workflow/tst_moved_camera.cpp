@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/demo_robots.h"
 #include "core/simulation/demo_testbed.h"
+#include "tests/support/registered_test.h"
 #include "tests/workflow/measured_scene.h"
 
 #include <Eigen/Geometry>
@@ -69,5 +70,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMovedCamera)
+ODOGRAPH_TEST(TestMovedCamera, QCoreApplication)
 #include "tst_moved_camera.moc"

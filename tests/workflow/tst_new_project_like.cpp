@@ -4,8 +4,10 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 
+#include <QGuiApplication>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -80,5 +82,5 @@ private:
     std::filesystem::path m_original, m_new;
 };
 
-QTEST_MAIN(TestNewProjectLike)
+ODOGRAPH_TEST(TestNewProjectLike, QGuiApplication)
 #include "tst_new_project_like.moc"

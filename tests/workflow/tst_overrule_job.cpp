@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/overrule_job.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/project_content.h"
 #include "tests/ui/support/stored_example.h"
 
@@ -112,5 +113,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestOverruleJob)
+ODOGRAPH_TEST(TestOverruleJob, QCoreApplication)
 #include "tst_overrule_job.moc"

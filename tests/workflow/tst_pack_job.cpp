@@ -6,6 +6,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/pack_job.h"
 #include "core/workflow/relink_job.h"
+#include "tests/support/registered_test.h"
 
 #include <QDir>
 #include <QFile>
@@ -292,5 +293,5 @@ void TestPackJob::sayingWhatIsMissing()
     QCOMPARE(runToEnd(stopped, *m_project, control).error().code, ErrorCode::Cancelled);
 }
 
-QTEST_GUILESS_MAIN(TestPackJob)
+ODOGRAPH_TEST(TestPackJob, QCoreApplication)
 #include "tst_pack_job.moc"

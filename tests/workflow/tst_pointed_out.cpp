@@ -4,6 +4,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/registered_view.h"
 #include "core/workflow/track_job.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 
 #include <QTemporaryDir>
@@ -115,5 +116,5 @@ private:
     RobotRecord m_coloured;
 };
 
-QTEST_GUILESS_MAIN(TestPointedOut)
+ODOGRAPH_TEST(TestPointedOut, QCoreApplication)
 #include "tst_pointed_out.moc"

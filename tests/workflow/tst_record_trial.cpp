@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/floor_registration.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/calibration/floor_registration.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/workflow/record_trial.h"
 #include "core/workflow/stored_registration.h"
 #include "tests/support/datagram_receiver.h"
 #include "tests/support/protobuf_decoder.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -146,5 +147,5 @@ private:
     std::unique_ptr<Project> m_project;
 };
 
-QTEST_GUILESS_MAIN(TestRecordTrial)
+ODOGRAPH_TEST(TestRecordTrial, QCoreApplication)
 #include "tst_record_trial.moc"

@@ -7,6 +7,7 @@
 #include "core/video/picture_writer.h"
 #include "core/workflow/register_job.h"
 #include "core/workflow/revisions.h"
+#include "tests/support/registered_test.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -128,5 +129,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRegisterJob)
+ODOGRAPH_TEST(TestRegisterJob, QCoreApplication)
 #include "tst_register_job.moc"

@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/track_job.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 
 #include <QTemporaryDir>
@@ -52,5 +53,5 @@ private:
     std::unique_ptr<Project> m_project;
 };
 
-QTEST_GUILESS_MAIN(TestRegisteredView)
+ODOGRAPH_TEST(TestRegisteredView, QCoreApplication)
 #include "tst_registered_view.moc"

@@ -8,6 +8,7 @@
 #include "core/workflow/reprocess_job.h"
 #include "core/workflow/revisions.h"
 #include "tests/support/contains.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 
 #include <QDir>
@@ -226,5 +227,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRevisions)
+ODOGRAPH_TEST(TestRevisions, QCoreApplication)
 #include "tst_revisions.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/run_control.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <numbers>
 
@@ -218,5 +220,5 @@ void TestRunControl::aRunThatNobodyEndsEnds()
     QCOMPARE(run.phase(), RunPhase::Ready);
 }
 
-QTEST_GUILESS_MAIN(TestRunControl)
+ODOGRAPH_TEST(TestRunControl, QCoreApplication)
 #include "tst_run_control.moc"

@@ -2,6 +2,7 @@
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/wheeled_body.h"
 #include "core/workflow/shadow_choice.h"
+#include "tests/support/registered_test.h"
 #include "tests/workflow/measured_scene.h"
 
 #include <QTemporaryDir>
@@ -76,5 +77,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestShadowChoice)
+ODOGRAPH_TEST(TestShadowChoice, QCoreApplication)
 #include "tst_shadow_choice.moc"

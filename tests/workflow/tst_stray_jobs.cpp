@@ -5,6 +5,7 @@
 #include "core/project/stray_media.h"
 #include "core/workflow/calibration_media.h"
 #include "core/workflow/stray_jobs.h"
+#include "tests/support/registered_test.h"
 #include "tests/video/coded_frames.h"
 
 #include <QTemporaryDir>
@@ -238,5 +239,5 @@ private:
     std::unique_ptr<Project> m_project;
 };
 
-QTEST_GUILESS_MAIN(TestStrayJobs)
+ODOGRAPH_TEST(TestStrayJobs, QCoreApplication)
 #include "tst_stray_jobs.moc"

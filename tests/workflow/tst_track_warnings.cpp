@@ -2,6 +2,7 @@
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
 #include "core/workflow/track_warnings.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -192,5 +193,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTrackWarnings)
+ODOGRAPH_TEST(TestTrackWarnings, QCoreApplication)
 #include "tst_track_warnings.moc"

@@ -3,6 +3,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/trial_occlusions.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/models/trial_scene.h"
@@ -112,5 +113,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTrialOcclusions)
+ODOGRAPH_TEST(TestTrialOcclusions, QCoreApplication)
 #include "tst_trial_occlusions.moc"

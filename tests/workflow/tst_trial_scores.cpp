@@ -2,6 +2,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/trial_scores.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 
 #include <QTemporaryDir>
@@ -48,5 +49,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTrialScores)
+ODOGRAPH_TEST(TestTrialScores, QCoreApplication)
 #include "tst_trial_scores.moc"

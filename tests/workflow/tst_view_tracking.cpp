@@ -5,6 +5,7 @@
 #include "core/trajectory/light_edges.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/view_tracking.h"
+#include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -134,5 +135,5 @@ void TestViewTracking::measuresTheLight()
     QVERIFY(std::abs(edges[0].change - std::log(1.3)) < 0.05); // eight code values stand for black
 }
 
-QTEST_GUILESS_MAIN(TestViewTracking)
+ODOGRAPH_TEST(TestViewTracking, QCoreApplication)
 #include "tst_view_tracking.moc"

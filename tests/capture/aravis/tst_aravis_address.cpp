@@ -2,6 +2,7 @@
 #include "core/capture/aravis/aravis_address.h"
 #include "core/capture/aravis/aravis_session.h"
 #include "core/capture/aravis/camera_time_scale.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 
@@ -185,5 +186,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAravisAddress)
+ODOGRAPH_TEST(TestAravisAddress, QCoreApplication)
 #include "tst_aravis_address.moc"

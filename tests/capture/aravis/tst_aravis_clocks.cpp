@@ -4,6 +4,7 @@
 #include "core/capture/frame_pairing.h"
 #include "core/capture/recorded_clock.h"
 #include "frame_taker.h"
+#include "tests/support/registered_test.h"
 
 using namespace odo;
 using namespace odo::test;
@@ -145,5 +146,5 @@ void TestAravisClocks::timesAreThoseOfTheTruth()
              qPrintable(QStringLiteral("%1 for %2").arg(apart).arg(expected)));
 }
 
-QTEST_GUILESS_MAIN(TestAravisClocks)
+ODOGRAPH_TEST(TestAravisClocks, QCoreApplication)
 #include "tst_aravis_clocks.moc"

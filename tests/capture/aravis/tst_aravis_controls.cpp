@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What can be set at a GigE camera, and how its automatics are held.
 #include "frame_taker.h"
+#include "tests/support/registered_test.h"
 
 using namespace odo;
 using namespace odo::test;
@@ -144,5 +145,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAravisControls)
+ODOGRAPH_TEST(TestAravisControls, QCoreApplication)
 #include "tst_aravis_controls.moc"

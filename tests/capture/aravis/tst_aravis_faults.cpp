@@ -2,6 +2,7 @@
 // GigE cameras that are unplugged, freeze, are exchanged, come back, or belong to another program.
 #include "core/capture/capture_session.h"
 #include "frame_taker.h"
+#include "tests/support/registered_test.h"
 
 #include <arpa/inet.h>
 #include <sys/socket.h>
@@ -336,5 +337,5 @@ void TestAravisFaults::openedAgainAndAgainNothingIsLeftBehind()
     QTRY_VERIFY(openFiles() <= files);
 }
 
-QTEST_GUILESS_MAIN(TestAravisFaults)
+ODOGRAPH_TEST(TestAravisFaults, QCoreApplication)
 #include "tst_aravis_faults.moc"

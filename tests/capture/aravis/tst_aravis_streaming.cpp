@@ -3,6 +3,7 @@
 // camera is set.
 #include "core/capture/aravis/gvcp.h"
 #include "frame_taker.h"
+#include "tests/support/registered_test.h"
 
 #include <algorithm>
 
@@ -299,5 +300,5 @@ void TestAravisStreaming::nobodyAtAnAddressIsSaidAtOnce()
              unknown.error().message().c_str());
 }
 
-QTEST_GUILESS_MAIN(TestAravisStreaming)
+ODOGRAPH_TEST(TestAravisStreaming, QCoreApplication)
 #include "tst_aravis_streaming.moc"

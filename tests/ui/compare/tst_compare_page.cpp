@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/busy_watch.h"
 #include "tests/ui/support/example_scene.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/compare/compare_desk.h"
 #include "ui/compare/compare_map.h"
 #include "ui/compare/compare_page.h"
-#include "ui/views/comparison_curves.h"
 #include "ui/compare/distance_chart.h"
 #include "ui/compare/run_chooser.h"
 #include "ui/models/comparison_explanation.h"
 #include "ui/models/difference_model.h"
 #include "ui/models/timeline.h"
+#include "ui/views/comparison_curves.h"
 #include "ui/views/empty_state.h"
 #include "ui/views/figure_grid.h"
 
@@ -418,5 +419,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestComparePage)
+ODOGRAPH_TEST(TestComparePage, QApplication)
 #include "tst_compare_page.moc"

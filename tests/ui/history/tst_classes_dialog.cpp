@@ -2,6 +2,7 @@
 #include "core/project/class_repository.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/mnemonics.h"
 #include "tests/ui/support/person.h"
@@ -14,6 +15,7 @@
 #include "ui/models/shown_team.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QLabel>
@@ -233,5 +235,5 @@ void TestClassesDialog::whatIsReadOnlyIsNotChanged()
     QVERIFY(dialog.findChild<QTableWidget *>()->editTriggers() == QAbstractItemView::NoEditTriggers);
 }
 
-QTEST_MAIN(TestClassesDialog)
+ODOGRAPH_TEST(TestClassesDialog, QApplication)
 #include "tst_classes_dialog.moc"

@@ -2,6 +2,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/empty_bin.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/project_content.h"
@@ -16,6 +17,7 @@
 
 #include <QAbstractItemModelTester>
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -371,5 +373,5 @@ void TestHistoryPage::saysWhenThereIsNothing()
     QVERIFY(!page.findChild<QPlainTextEdit *>()->isEnabled());
 }
 
-QTEST_MAIN(TestHistoryPage)
+ODOGRAPH_TEST(TestHistoryPage, QApplication)
 #include "tst_history_page.moc"

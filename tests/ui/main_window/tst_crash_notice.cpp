@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // After a crash the next window says so, once, and offers the project that was open.
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/crash_notice.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/workspace.h"
 #include "ui/views/elided_label.h"
 
+#include <QApplication>
 #include <QDialogButtonBox>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -102,5 +104,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestCrashNotice)
+ODOGRAPH_TEST(TestCrashNotice, QApplication)
 #include "tst_crash_notice.moc"

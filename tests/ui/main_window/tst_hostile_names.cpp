@@ -2,6 +2,7 @@
 // Names of a project that comes from elsewhere may be anything: no window may take them for more than letters.
 #include "core/base/plain_text.h"
 #include "core/project/project.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/history/history_page.h"
@@ -139,5 +140,5 @@ void TestHostileNames::theyAreShownAsLetters()
     QVERIFY(QDir(folder.path()).entryList({QStringLiteral("passwd*")}, QDir::AllEntries).isEmpty());
 }
 
-QTEST_MAIN(TestHostileNames)
+ODOGRAPH_TEST(TestHostileNames, QApplication)
 #include "tst_hostile_names.moc"

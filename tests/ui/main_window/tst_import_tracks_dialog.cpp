@@ -2,6 +2,7 @@
 // Finished tracks in the window: the dialog, files dropped on the window, and the run that they become.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/import_tracks_dialog.h"
@@ -13,6 +14,7 @@
 #include "ui/views/path_field.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDropEvent>
@@ -143,5 +145,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestImportTracksDialog)
+ODOGRAPH_TEST(TestImportTracksDialog, QApplication)
 #include "tst_import_tracks_dialog.moc"

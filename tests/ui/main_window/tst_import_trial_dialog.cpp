@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
 #include "ui/main_window/import_trial_dialog.h"
 #include "ui/main_window/view_steps.h"
@@ -212,5 +213,5 @@ void TestImportTrialDialog::paintsThePicture()
                                  .arg(m_dialog->devicePixelRatio())));
 }
 
-QTEST_MAIN(TestImportTrialDialog)
+ODOGRAPH_TEST(TestImportTrialDialog, QApplication)
 #include "tst_import_trial_dialog.moc"

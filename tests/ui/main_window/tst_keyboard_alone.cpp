@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whoever has no mouse, or does not see the screen, reaches everything in every window, and hears what it is.
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/appearance.h"
@@ -150,5 +151,5 @@ void TestKeyboardAlone::dialogs()
     QCOMPARE(test::told(complaints), 0);
 }
 
-QTEST_MAIN(TestKeyboardAlone)
+ODOGRAPH_TEST(TestKeyboardAlone, QApplication)
 #include "tst_keyboard_alone.moc"

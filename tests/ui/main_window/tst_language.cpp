@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/registered_test.h"
 #include "ui/history/history_page.h"
 #include "ui/history/teams_panel.h"
 #include "ui/main_window/language.h"
 #include "ui/models/figure_text.h"
 
+#include <QApplication>
 #include <QDirIterator>
 #include <QFile>
 #include <QFileInfo>
@@ -240,5 +242,5 @@ void TestLanguage::everyFigureHasAName()
     QVERIFY(count > 15);
 }
 
-QTEST_MAIN(TestLanguage)
+ODOGRAPH_TEST(TestLanguage, QApplication)
 #include "tst_language.moc"

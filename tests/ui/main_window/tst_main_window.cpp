@@ -2,6 +2,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/job.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/compare/compare_page.h"
 #include "ui/history/history_page.h"
@@ -20,6 +21,7 @@
 
 #include <QAbstractButton>
 #include <QAccessible>
+#include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
@@ -351,5 +353,5 @@ void TestMainWindow::headersFollowAChangeOfTheme()
     QVERIFY2(light > 100 && dark > 100, qPrintable(QStringLiteral("%1, %2").arg(light).arg(dark)));
 }
 
-QTEST_MAIN(TestMainWindow)
+ODOGRAPH_TEST(TestMainWindow, QApplication)
 #include "tst_main_window.moc"

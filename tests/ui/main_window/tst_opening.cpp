@@ -2,6 +2,7 @@
 // A project is opened in the background, and the window tells that it opens, or why it does not.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/job_indicator.h"
@@ -262,5 +263,5 @@ private:
     std::filesystem::path m_project;
 };
 
-QTEST_MAIN(TestOpening)
+ODOGRAPH_TEST(TestOpening, QApplication)
 #include "tst_opening.moc"

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
+#include "tests/support/registered_test.h"
 #include "ui/main_window/box_canvas.h"
 #include "ui/main_window/pick_colour_dialog.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QLabel>
@@ -149,5 +151,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestPickColourDialog)
+ODOGRAPH_TEST(TestPickColourDialog, QApplication)
 #include "tst_pick_colour_dialog.moc"

@@ -3,6 +3,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "tests/support/program.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/main_window.h"
@@ -10,6 +11,7 @@
 #include "ui/main_window/status_line.h"
 #include "ui/main_window/workspace.h"
 
+#include <QApplication>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -147,5 +149,5 @@ private:
     std::unique_ptr<MainWindow> m_window;
 };
 
-QTEST_MAIN(TestProjectLost)
+ODOGRAPH_TEST(TestProjectLost, QApplication)
 #include "tst_project_lost.moc"

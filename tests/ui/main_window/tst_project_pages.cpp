@@ -2,6 +2,7 @@
 // Pages read the project when they are seen, and only then.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/history/history_page.h"
 #include "ui/main_window/project_pages.h"
@@ -9,6 +10,7 @@
 #include "ui/review/review_page.h"
 #include "ui/testbed/testbed_page.h"
 
+#include <QApplication>
 #include <QSignalSpy>
 #include <QStackedWidget>
 #include <QStandardPaths>
@@ -134,5 +136,5 @@ private:
     std::unique_ptr<ProjectPages> m_pages;
 };
 
-QTEST_MAIN(TestProjectPages)
+ODOGRAPH_TEST(TestProjectPages, QApplication)
 #include "tst_project_pages.moc"

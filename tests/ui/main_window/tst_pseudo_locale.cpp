@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every window in a language that nobody speaks: what was never given to a translator stands out.
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/pseudo_words.h"
 #include "tests/ui/support/stored_example.h"
@@ -153,5 +154,5 @@ void TestPseudoLocale::everyLanguageFits()
     QCOMPARE(test::told(cut), 0);
 }
 
-QTEST_MAIN(TestPseudoLocale)
+ODOGRAPH_TEST(TestPseudoLocale, QApplication)
 #include "tst_pseudo_locale.moc"

@@ -4,6 +4,7 @@
 // ODOGRAPH_SEED: another sequence; ODOGRAPH_EVENTS_LOG: a file to write each into before it is sent.
 #include "core/project/project.h"
 #include "tests/support/patience.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/workspace.h"
@@ -207,5 +208,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestRandomEvents)
+ODOGRAPH_TEST(TestRandomEvents, QApplication)
 #include "tst_random_events.moc"

@@ -2,6 +2,7 @@
 // Recording by F9 through the whole window, wherever the focus is.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "ui/main_window/main_window.h"
 #include "ui/record/camera_choice.h"
@@ -74,5 +75,5 @@ void TestRecordKeys::f9RecordsAndStopsWithTheFocusInTheTeamsCard()
     QTRY_VERIFY_WITH_TIMEOUT(!page->isRecording(), runMs);
 }
 
-QTEST_MAIN(TestRecordKeys)
+ODOGRAPH_TEST(TestRecordKeys, QApplication)
 #include "tst_record_keys.moc"

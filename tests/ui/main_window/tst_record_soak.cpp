@@ -5,12 +5,14 @@
 #include "core/base/memory_pools.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/circle_lesson.h"
 #include "tests/ui/support/driven_window.h"
 #include "ui/main_window/main_window.h"
 #include "ui/record/camera_choice.h"
 #include "ui/record/record_page.h"
 
+#include <QApplication>
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFile>
@@ -180,5 +182,5 @@ void TestRecordSoak::whatIsHeldStaysAsItIs()
         QCOMPARE_LE(least(last, &Held::residentMb), 1.05 * least(middle, &Held::residentMb));
 }
 
-QTEST_MAIN(TestRecordSoak)
+ODOGRAPH_TEST(TestRecordSoak, QApplication)
 #include "tst_record_soak.moc"

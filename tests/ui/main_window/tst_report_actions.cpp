@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/main_window.h"
@@ -132,5 +133,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestReportActions)
+ODOGRAPH_TEST(TestReportActions, QApplication)
 #include "tst_report_actions.moc"

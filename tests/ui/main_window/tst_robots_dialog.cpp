@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/robots_dialog.h"
 #include "ui/views/robot_footprint.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -89,5 +91,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestRobotsDialog)
+ODOGRAPH_TEST(TestRobotsDialog, QApplication)
 #include "tst_robots_dialog.moc"

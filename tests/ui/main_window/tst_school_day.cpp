@@ -6,6 +6,7 @@
 #include "core/project/repositories.h"
 #include "tests/support/demo_lesson.h"
 #include "tests/support/patience.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/busy_watch.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/person.h"
@@ -20,6 +21,7 @@
 #include "ui/views/path_field.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QDir>
 #include <QLineEdit>
@@ -215,5 +217,5 @@ void TestSchoolDay::theProjectGoesHome()
 
 } // namespace
 
-QTEST_MAIN(TestSchoolDay)
+ODOGRAPH_TEST(TestSchoolDay, QApplication)
 #include "tst_school_day.moc"

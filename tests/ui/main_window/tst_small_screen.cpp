@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A laptop's screen of 1366×768, or one of 2732×1536 at 200 %: nothing may need more.
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/mnemonics.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/appearance.h"
@@ -73,5 +74,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestSmallScreen)
+ODOGRAPH_TEST(TestSmallScreen, QApplication)
 #include "tst_small_screen.moc"

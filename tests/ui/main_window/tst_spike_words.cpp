@@ -2,6 +2,7 @@
 // A person's word on a sample, in the window: by key, stored, analysed again, and taken back.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/main_window.h"
@@ -11,6 +12,7 @@
 #include "ui/review/review_page.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -57,5 +59,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestSpikeWords)
+ODOGRAPH_TEST(TestSpikeWords, QApplication)
 #include "tst_spike_words.moc"

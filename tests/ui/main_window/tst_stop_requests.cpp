@@ -3,6 +3,7 @@
 #include "core/base/stop_signals.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/circle_lesson.h"
 #include "tests/ui/support/driven_window.h"
 #include "ui/main_window/main_window.h"
@@ -10,6 +11,7 @@
 #include "ui/record/camera_choice.h"
 #include "ui/record/record_page.h"
 
+#include <QApplication>
 #include <QDir>
 #include <QPushButton>
 #include <QTemporaryDir>
@@ -107,5 +109,5 @@ void TestStopRequests::aSignalEndsTheWindowAndKeepsTheRecording()
     QVERIFY(!trial.unfinished && trial.durationS > 0);
 }
 
-QTEST_MAIN(TestStopRequests)
+ODOGRAPH_TEST(TestStopRequests, QApplication)
 #include "tst_stop_requests.moc"

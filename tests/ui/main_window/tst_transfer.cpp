@@ -3,6 +3,7 @@
 #include "core/project/project.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
@@ -221,5 +222,5 @@ void TestTransfer::strayFilesBecomeTrialsOrGo()
     QVERIFY(media.exists(QStringLiteral("lap_A.mkv")));
 }
 
-QTEST_MAIN(TestTransfer)
+ODOGRAPH_TEST(TestTransfer, QApplication)
 #include "tst_transfer.moc"

@@ -4,10 +4,12 @@
 #include "core/project/repositories.h"
 #include "core/workflow/export_job.h"
 #include "core/workflow/reprocess_job.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/trial_batch.h"
 #include "ui/main_window/workspace.h"
 
+#include <QApplication>
 #include <QDir>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -108,5 +110,5 @@ private:
     std::unique_ptr<Workspace> m_workspace;
 };
 
-QTEST_MAIN(TestTrialBatch)
+ODOGRAPH_TEST(TestTrialBatch, QApplication)
 #include "tst_trial_batch.moc"

@@ -2,12 +2,14 @@
 // Two windows on one project: the first changes it, the second shows it.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/message_bar.h"
 #include "ui/main_window/workspace.h"
 
+#include <QApplication>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -93,5 +95,5 @@ private:
     std::filesystem::path m_project;
 };
 
-QTEST_MAIN(TestTwoWindows)
+ODOGRAPH_TEST(TestTwoWindows, QApplication)
 #include "tst_two_windows.moc"

@@ -2,6 +2,7 @@
 // Undo and redo in the window: what a person changed is taken back, and what is shown follows.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/project_content.h"
 #include "tests/ui/support/stored_example.h"
@@ -10,6 +11,7 @@
 #include "ui/main_window/message_bar.h"
 #include "ui/main_window/workspace.h"
 
+#include <QApplication>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPlainTextEdit>
@@ -84,5 +86,5 @@ private:
     QMenu *m_edit = nullptr;
 };
 
-QTEST_MAIN(TestUndo)
+ODOGRAPH_TEST(TestUndo, QApplication)
 #include "tst_undo.moc"

@@ -6,6 +6,7 @@
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
 #include "core/workflow/cameras.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
@@ -22,6 +23,7 @@
 #include "ui/views/path_field.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
@@ -369,5 +371,5 @@ void TestWindowFlows::cancelsTheDemo()
     QCOMPARE(content(), before);
 }
 
-QTEST_MAIN(TestWindowFlows)
+ODOGRAPH_TEST(TestWindowFlows, QApplication)
 #include "tst_window_flows.moc"

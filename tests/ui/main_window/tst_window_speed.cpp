@@ -3,6 +3,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "tests/support/patience.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/busy_watch.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/year_project.h"
@@ -13,6 +14,7 @@
 #include "ui/review/review_page.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QLineEdit>
 #include <QMenu>
@@ -164,5 +166,5 @@ private:
     std::filesystem::path m_project;
 };
 
-QTEST_MAIN(TestWindowSpeed)
+ODOGRAPH_TEST(TestWindowSpeed, QApplication)
 #include "tst_window_speed.moc"

@@ -2,6 +2,7 @@
 // Each sentence that core's sources make is known to ui/models/core_words, so that none stays English in a
 // window of another language. The sources are read, so that a new sentence is noticed before anybody makes
 // core say it.
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/core_sentences.h"
 #include "ui/models/core_words.h"
 
@@ -170,5 +171,5 @@ void TestCoreSentences::eachSentenceOfCoreIsKnown()
                                            unknown.join(u'\n')));
 }
 
-QTEST_GUILESS_MAIN(TestCoreSentences)
+ODOGRAPH_TEST(TestCoreSentences, QCoreApplication)
 #include "tst_core_sentences.moc"

@@ -20,6 +20,7 @@
 #include "core/workflow/live_tracking.h"
 #include "core/workflow/profile_change.h"
 #include "core/workflow/track_warnings.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/core_words.h"
 #include "ui/models/error_words.h"
@@ -484,5 +485,5 @@ void TestCoreWords::errorsAreSentences()
     QCOMPARE(errorLine(error), QStringLiteral("Sprung von 1,5 mm: eine weggelassen; nobody says so"));
 }
 
-QTEST_GUILESS_MAIN(TestCoreWords)
+ODOGRAPH_TEST(TestCoreWords, QCoreApplication)
 #include "tst_core_words.moc"

@@ -7,6 +7,7 @@
 #include "core/trajectory/gate_passages.h"
 #include "core/trajectory/metrics.h"
 #include "core/trajectory/task_metrics.h"
+#include "tests/support/registered_test.h"
 
 #include <QTest>
 
@@ -121,5 +122,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestExplanation)
+ODOGRAPH_TEST(TestExplanation, QCoreApplication)
 #include "tst_explanation.moc"

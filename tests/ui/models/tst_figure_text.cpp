@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/registered_test.h"
 #include "ui/models/figure_text.h"
 #include "ui/models/shown_units.h"
 
+#include <QApplication>
 #include <QScopeGuard>
 #include <QTest>
 #include <cmath>
@@ -113,5 +115,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestFigureText)
+ODOGRAPH_TEST(TestFigureText, QApplication)
 #include "tst_figure_text.moc"

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/camera_list_model.h"
+#include "ui/models/change_model.h"
 #include "ui/models/metric_model.h"
 #include "ui/models/name_list_model.h"
 #include "ui/models/shown_team.h"
 #include "ui/models/spike_model.h"
-#include "ui/models/change_model.h"
 #include "ui/models/standings_model.h"
 #include "ui/models/trial_model.h"
 
 #include <QAbstractItemModelTester>
+#include <QApplication>
 #include <QDateTime>
 #include <QDir>
 #include <QDirIterator>
@@ -418,5 +420,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestListModels)
+ODOGRAPH_TEST(TestListModels, QApplication)
 #include "tst_list_models.moc"

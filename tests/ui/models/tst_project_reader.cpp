@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
+#include "tests/support/registered_test.h"
 #include "ui/models/project_reader.h"
 
 #include <QCoreApplication>
@@ -121,5 +122,5 @@ private:
     std::unique_ptr<Project> m_project;
 };
 
-QTEST_GUILESS_MAIN(TestProjectReader)
+ODOGRAPH_TEST(TestProjectReader, QCoreApplication)
 #include "tst_project_reader.moc"

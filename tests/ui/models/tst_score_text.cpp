@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/score_text.h"
 #include "ui/models/trial_scene.h"
@@ -64,5 +65,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestScoreText)
+ODOGRAPH_TEST(TestScoreText, QCoreApplication)
 #include "tst_score_text.moc"

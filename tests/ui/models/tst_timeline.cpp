@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/timeline.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QAction>
+#include <QApplication>
 #include <QKeyEvent>
 #include <QSignalSpy>
 #include <QTest>
@@ -303,5 +306,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestTimeline)
+ODOGRAPH_TEST(TestTimeline, QApplication)
 #include "tst_timeline.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which device is which camera, how it is set, and the set-up doctor: all by keys.
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
 #include "ui/models/live_cameras.h"
@@ -9,6 +10,7 @@
 #include "ui/record/running_cameras.h"
 #include "ui/views/fact_list.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -167,5 +169,5 @@ void TestRecordDialogs::theDoctorLooksAndLooksAgain()
     QVERIFY(!dialog.isVisible());
 }
 
-QTEST_MAIN(TestRecordDialogs)
+ODOGRAPH_TEST(TestRecordDialogs, QApplication)
 #include "tst_record_dialogs.moc"

@@ -4,6 +4,7 @@
 #include "core/project/repositories.h"
 #include "core/project/write_turn.h"
 #include "tests/support/datagram_receiver.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/busy_watch.h"
 #include "tests/ui/support/circle_lesson.h"
 #include "tests/ui/support/person.h"
@@ -16,6 +17,7 @@
 #include "ui/record/trouble_bar.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QLineEdit>
 #include <QPushButton>
@@ -445,5 +447,5 @@ void TestRecordPage::anUnregisteredCameraLeadsToTestbed()
     QVERIFY(!part<LiveMap>()->place(0));
 }
 
-QTEST_MAIN(TestRecordPage)
+ODOGRAPH_TEST(TestRecordPage, QApplication)
 #include "tst_record_page.moc"

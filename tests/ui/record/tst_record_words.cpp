@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/registered_test.h"
 #include "ui/record/camera_choice.h"
 #include "ui/record/health_words.h"
 
@@ -132,5 +133,5 @@ void TestRecordWords::tellsTheWorstTrouble()
              QStringLiteral("Recording: recording: the disk is full; make room."));
 }
 
-QTEST_GUILESS_MAIN(TestRecordWords)
+ODOGRAPH_TEST(TestRecordWords, QCoreApplication)
 #include "tst_record_words.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/screen_pace.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QTest>
 #include <random>
 
@@ -41,5 +43,5 @@ void TestScreenPace::stepsStayEven()
     QCOMPARE(shown, shownOf100);
 }
 
-QTEST_GUILESS_MAIN(TestScreenPace)
+ODOGRAPH_TEST(TestScreenPace, QCoreApplication)
 #include "tst_screen_pace.moc"

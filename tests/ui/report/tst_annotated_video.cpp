@@ -3,12 +3,14 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/video/video_reader.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/report/annotated_picture.h"
 #include "ui/report/annotated_video.h"
 #include "ui/views/theme.h"
 
+#include <QApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -329,5 +331,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestAnnotatedVideo)
+ODOGRAPH_TEST(TestAnnotatedVideo, QApplication)
 #include "tst_annotated_video.moc"

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/printed_text.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/models/shown_team.h"
 #include "ui/report/class_report.h"
 
+#include <QApplication>
 #include <QTemporaryDir>
 #include <QTest>
 #include <random>
@@ -126,5 +128,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestClassReport)
+ODOGRAPH_TEST(TestClassReport, QApplication)
 #include "tst_class_report.moc"

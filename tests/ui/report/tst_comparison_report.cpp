@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/printed_text.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/report/comparison_report.h"
 #include "ui/report/pdf_file.h"
 #include "ui/report/report_job.h"
 
+#include <QApplication>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -83,5 +85,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestComparisonReport)
+ODOGRAPH_TEST(TestComparisonReport, QApplication)
 #include "tst_comparison_report.moc"

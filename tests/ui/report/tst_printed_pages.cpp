@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/printed_pages.h"
 
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/printed_text.h"
 
+#include <QApplication>
 #include <QPainter>
 #include <QPrinter>
 #include <QTemporaryDir>
@@ -76,5 +78,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestPrintedPages)
+ODOGRAPH_TEST(TestPrintedPages, QApplication)
 #include "tst_printed_pages.moc"

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/busy_watch.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/report/report_dialog.h"
 #include "ui/report/report_preview.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
@@ -170,5 +172,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestReportDialog)
+ODOGRAPH_TEST(TestReportDialog, QApplication)
 #include "tst_report_dialog.moc"

@@ -3,12 +3,14 @@
 #include "core/project/repositories.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/class_figures.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/printed_text.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/report/logo.h"
 #include "ui/report/pdf_file.h"
 #include "ui/report/report_job.h"
 
+#include <QApplication>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -145,5 +147,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestReportJob)
+ODOGRAPH_TEST(TestReportJob, QApplication)
 #include "tst_report_job.moc"

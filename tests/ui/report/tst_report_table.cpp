@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/printed_text.h"
 #include "ui/report/report_page.h"
 #include "ui/report/report_table.h"
 
+#include <QApplication>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -65,5 +67,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestReportTable)
+ODOGRAPH_TEST(TestReportTable, QApplication)
 #include "tst_report_table.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/report/method_page.h"
 #include "ui/report/run_events.h"
@@ -117,5 +118,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRunEvents)
+ODOGRAPH_TEST(TestRunEvents, QCoreApplication)
 #include "tst_run_events.moc"

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "tests/ui/support/printed_text.h"
 #include "ui/models/shown_units.h"
 #include "ui/report/report_painting.h"
 #include "ui/report/trial_report.h"
 
+#include <QApplication>
 #include <QImage>
 #include <QTemporaryDir>
 #include <QTest>
@@ -261,5 +263,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestTrialReport)
+ODOGRAPH_TEST(TestTrialReport, QApplication)
 #include "tst_trial_report.moc"

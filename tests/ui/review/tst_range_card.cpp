@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/range_statistics.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "tests/ui/support/found_widgets.h"
 #include "ui/models/timeline.h"
@@ -157,5 +158,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestRangeCard)
+ODOGRAPH_TEST(TestRangeCard, QApplication)
 #include "tst_range_card.moc"

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A robot of any look is pointed out in a picture of Review, by a click or by the mouse's menu.
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/timeline.h"
 #include "ui/review/robot_pointing.h"
 #include "ui/views/picture_fit.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QMenu>
 #include <QSignalSpy>
 #include <QTest>
@@ -88,5 +90,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestRobotPointing)
+ODOGRAPH_TEST(TestRobotPointing, QApplication)
 #include "tst_robot_pointing.moc"

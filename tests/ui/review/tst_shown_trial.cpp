@@ -3,6 +3,7 @@
 #include "core/project/connection.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/models/timeline.h"
 #include "ui/review/review_page.h"
@@ -162,5 +163,5 @@ private:
     QStringList m_shown;
 };
 
-QTEST_MAIN(TestShownTrial)
+ODOGRAPH_TEST(TestShownTrial, QApplication)
 #include "tst_shown_trial.moc"

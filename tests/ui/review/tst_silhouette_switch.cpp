@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The silhouettes in Review's views are shown and hidden by a key, and stay as they were left.
 #include "core/project/project.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/models/timeline.h"
 #include "ui/review/review_desk.h"
@@ -95,5 +96,5 @@ private:
     std::unique_ptr<ReviewPage> m_page;
 };
 
-QTEST_MAIN(TestSilhouetteSwitch)
+ODOGRAPH_TEST(TestSilhouetteSwitch, QApplication)
 #include "tst_silhouette_switch.moc"

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/spike_actions.h"
 
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/timeline.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -99,5 +101,5 @@ void TestSpikeActions::asksForTheRobotThatIsMeant()
     QCOMPARE(said.size(), 1);
 }
 
-QTEST_MAIN(TestSpikeActions)
+ODOGRAPH_TEST(TestSpikeActions, QApplication)
 #include "tst_spike_actions.moc"

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/timeline.h"
 #include "ui/review/trial_facts.h"
 #include "ui/views/camera_view.h"
 
+#include <QApplication>
 #include <QLabel>
 #include <QTest>
 
@@ -75,5 +77,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestStepWords)
+ODOGRAPH_TEST(TestStepWords, QApplication)
 #include "tst_step_words.moc"

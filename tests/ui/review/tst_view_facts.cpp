@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the Trial card says of a view.
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/review/trial_facts.h"
 
@@ -67,5 +68,5 @@ private:
     QTemporaryFile m_video;
 };
 
-QTEST_GUILESS_MAIN(TestViewFacts)
+ODOGRAPH_TEST(TestViewFacts, QCoreApplication)
 #include "tst_view_facts.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/testbed/check_tools.h"
 #include "ui/testbed/testbed_page.h"
@@ -8,6 +9,7 @@
 #include "ui/testbed/testbed_tools.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
@@ -134,5 +136,5 @@ void TestTestbedPage::beginsEmpty()
         QVERIFY2(check->isEnabled(), qPrintable(check->text()));
 }
 
-QTEST_MAIN(TestTestbedPage)
+ODOGRAPH_TEST(TestTestbedPage, QApplication)
 #include "tst_testbed_page.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/chart_picture.h"
 
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "tests/ui/support/found_widgets.h"
 #include "ui/models/timeline.h"
@@ -154,5 +155,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestChartPicture)
+ODOGRAPH_TEST(TestChartPicture, QApplication)
 #include "tst_chart_picture.moc"

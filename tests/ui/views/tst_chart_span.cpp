@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/driven_way.h"
 #include "core/trajectory/range_statistics.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/timeline.h"
 #include "ui/views/chart_area.h"
@@ -234,5 +235,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestChartSpan)
+ODOGRAPH_TEST(TestChartSpan, QApplication)
 #include "tst_chart_span.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Choosing a figure or a spike, and the map of how far the views disagree.
 #include "core/trajectory/analyser.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/scene_disagreement.h"
 #include "ui/models/timeline.h"
@@ -181,5 +182,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestChosenFigures)
+ODOGRAPH_TEST(TestChosenFigures, QApplication)
 #include "tst_chosen_figures.moc"

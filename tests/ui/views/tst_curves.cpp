@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/views/axis_ticks.h"
 #include "ui/views/decimation.h"
 #include "ui/views/profile_curve.h"
 #include "ui/views/theme.h"
 
+#include <QApplication>
 #include <QElapsedTimer>
 #include <QTest>
 #include <cmath>
@@ -187,5 +189,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestCurves)
+ODOGRAPH_TEST(TestCurves, QApplication)
 #include "tst_curves.moc"

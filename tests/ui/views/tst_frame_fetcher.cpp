@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/views/frame_fetcher.h"
 
+#include <QApplication>
 #include <QElapsedTimer>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -101,5 +103,5 @@ private:
     }
 };
 
-QTEST_MAIN(TestFrameFetcher)
+ODOGRAPH_TEST(TestFrameFetcher, QApplication)
 #include "tst_frame_fetcher.moc"

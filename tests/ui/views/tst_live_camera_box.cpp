@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/registered_test.h"
 #include "ui/models/live_cameras.h"
 #include "ui/views/live_camera_box.h"
 
+#include <QApplication>
 #include <QSignalSpy>
 #include <QTest>
 #include <future>
@@ -48,5 +50,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestLiveCameraBox)
+ODOGRAPH_TEST(TestLiveCameraBox, QApplication)
 #include "tst_live_camera_box.moc"

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/registered_test.h"
 #include "ui/views/map_painting.h"
 #include "ui/views/robot_footprint.h"
 #include "ui/views/theme.h"
 
+#include <QApplication>
 #include <QImage>
 #include <QPainter>
 #include <QPalette>
@@ -118,5 +120,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestMapRobot)
+ODOGRAPH_TEST(TestMapRobot, QApplication)
 #include "tst_map_robot.moc"

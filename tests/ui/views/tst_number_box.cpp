@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/number_box.h"
 
+#include "tests/support/registered_test.h"
 #include "ui/models/typed_number.h"
 
+#include <QApplication>
 #include <QTest>
 
 using namespace odo;
@@ -92,5 +94,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestNumberBox)
+ODOGRAPH_TEST(TestNumberBox, QApplication)
 #include "tst_number_box.moc"

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/support.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/timeline.h"
 #include "ui/views/camera_view.h"
 #include "ui/views/outline_painting.h"
 #include "ui/views/robot_colours.h"
 
+#include <QApplication>
 #include <QElapsedTimer>
 #include <QImage>
 #include <QPainter>
@@ -185,5 +187,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestOutlinePainting)
+ODOGRAPH_TEST(TestOutlinePainting, QApplication)
 #include "tst_outline_painting.moc"

@@ -2,6 +2,7 @@
 #include "ui/views/output_question.h"
 
 #include "core/files/protected_files.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/person.h"
 
 #include <QApplication>
@@ -117,5 +118,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestOutputQuestion)
+ODOGRAPH_TEST(TestOutputQuestion, QApplication)
 #include "tst_output_question.moc"

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/views/robot_colours.h"
 #include "ui/views/series_key.h"
 #include "ui/views/theme.h"
 
+#include <QApplication>
 #include <QImage>
 #include <QTest>
 
@@ -80,5 +82,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestRobotColours)
+ODOGRAPH_TEST(TestRobotColours, QApplication)
 #include "tst_robot_colours.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/simplified_line.h"
 
+#include "tests/support/registered_test.h"
+
 #include <QLineF>
 #include <QTest>
 #include <algorithm>
@@ -111,5 +113,5 @@ private Q_SLOTS:
     void aTrailOfAMinuteBecomesATenth() { QVERIFY(simplified(circle(1800, 120), 0.2).size() < 180); }
 };
 
-QTEST_GUILESS_MAIN(TestSimplifiedLine)
+ODOGRAPH_TEST(TestSimplifiedLine, QCoreApplication)
 #include "tst_simplified_line.moc"

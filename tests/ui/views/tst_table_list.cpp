@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/table_list.h"
 
+#include "tests/support/registered_test.h"
+
+#include <QApplication>
 #include <QHeaderView>
 #include <QTableWidget>
 #include <QTest>
@@ -79,5 +82,5 @@ private:
     }
 };
 
-QTEST_MAIN(TestTableList)
+ODOGRAPH_TEST(TestTableList, QApplication)
 #include "tst_table_list.moc"

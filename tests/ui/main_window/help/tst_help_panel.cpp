@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/help/help_panel.h"
 
+#include "tests/support/registered_test.h"
 #include "ui/main_window/main_window.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTest>
@@ -47,5 +49,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestHelpPanel)
+ODOGRAPH_TEST(TestHelpPanel, QApplication)
 #include "tst_help_panel.moc"

@@ -2,6 +2,7 @@
 #include "tests/ui/support/found_widgets.h"
 #include "ui/main_window/help/lesson.h"
 
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/help/help_actions.h"
 #include "ui/main_window/help/lesson_bar.h"
@@ -11,6 +12,7 @@
 #include "ui/review/review_page.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QLabel>
 #include <QPushButton>
 #include <QSettings>
@@ -99,5 +101,5 @@ void TestLesson::theFirstLessonFollowsWhatIsDone()
     QVERIFY(bar->isHidden());
 }
 
-QTEST_MAIN(TestLesson)
+ODOGRAPH_TEST(TestLesson, QApplication)
 #include "tst_lesson.moc"

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/registered_test.h"
 #include "ui/main_window/preferences/command_keys.h"
 #include "ui/main_window/preferences/keys_page.h"
 
+#include <QApplication>
 #include <QKeySequenceEdit>
 #include <QLabel>
 #include <QLineEdit>
@@ -152,5 +154,5 @@ void TestCommandKeys::thePageGivesAKeyByKeyboardAlone()
     QCOMPARE(list->currentItem()->text(1), QStringLiteral("Ctrl+E"));
 }
 
-QTEST_MAIN(TestCommandKeys)
+ODOGRAPH_TEST(TestCommandKeys, QApplication)
 #include "tst_command_keys.moc"

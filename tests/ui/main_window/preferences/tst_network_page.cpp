@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/registered_test.h"
 #include "ui/main_window/preferences/network_page.h"
 #include "ui/record/sent_positions.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
@@ -75,5 +77,5 @@ private:
     }
 };
 
-QTEST_MAIN(TestNetworkPage)
+ODOGRAPH_TEST(TestNetworkPage, QApplication)
 #include "tst_network_page.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Preferences in the window: what is chosen counts at once, and again at the next start.
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/stored_example.h"
@@ -11,6 +12,7 @@
 #include "ui/views/theme.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QLabel>
 #include <QSettings>
@@ -109,5 +111,5 @@ private:
     std::unique_ptr<MainWindow> m_window;
 };
 
-QTEST_MAIN(TestPreferencesDialog)
+ODOGRAPH_TEST(TestPreferencesDialog, QApplication)
 #include "tst_preferences_dialog.moc"

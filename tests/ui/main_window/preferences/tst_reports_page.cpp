@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/registered_test.h"
 #include "ui/main_window/preferences/reports_page.h"
 #include "ui/views/path_field.h"
 
+#include <QApplication>
 #include <QFile>
 #include <QImage>
 #include <QLabel>
@@ -89,5 +91,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestReportsPage)
+ODOGRAPH_TEST(TestReportsPage, QApplication)
 #include "tst_reports_page.moc"

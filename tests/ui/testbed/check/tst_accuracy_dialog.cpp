@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The map of expected accuracy as a person uses it, by mouse and by keyboard.
 #include "core/simulation/demo_testbed.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
 #include "ui/testbed/check/accuracy_dialog.h"
 #include "ui/testbed/check/floor_sketch.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QListWidget>
@@ -177,5 +179,5 @@ void TestAccuracyDialog::closingLeavesNothing()
     QVERIFY(!dialog->isVisible());
 }
 
-QTEST_MAIN(TestAccuracyDialog)
+ODOGRAPH_TEST(TestAccuracyDialog, QApplication)
 #include "tst_accuracy_dialog.moc"

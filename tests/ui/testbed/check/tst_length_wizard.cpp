@@ -3,6 +3,7 @@
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
 #include "ui/models/live_cameras.h"
 #include "ui/testbed/check/length_page.h"
@@ -10,6 +11,7 @@
 #include "ui/testbed/floor/marker_canvas.h"
 #include "ui/testbed/floor/picture_choice.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QStackedWidget>
@@ -226,5 +228,5 @@ void TestLengthWizard::cancelsAtEveryPage()
     }
 }
 
-QTEST_MAIN(TestLengthWizard)
+ODOGRAPH_TEST(TestLengthWizard, QApplication)
 #include "tst_length_wizard.moc"

@@ -7,11 +7,13 @@
 #include "core/video/picture_writer.h"
 #include "core/workflow/register_job.h"
 #include "core/workflow/registered_view.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
 #include "ui/models/camera_list_model.h"
 #include "ui/models/live_cameras.h"
 #include "ui/testbed/check/moved_dialog.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QTableWidget>
 #include <QTemporaryDir>
@@ -223,5 +225,5 @@ void TestMovedDialog::cancelKeepsNothing()
     QVERIFY(!kept("A"));
 }
 
-QTEST_MAIN(TestMovedDialog)
+ODOGRAPH_TEST(TestMovedDialog, QApplication)
 #include "tst_moved_dialog.moc"

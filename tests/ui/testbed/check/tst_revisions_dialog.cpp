@@ -3,11 +3,13 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/revisions.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/testbed/check/reprocess_dialog.h"
 #include "ui/testbed/check/revisions_dialog.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDir>
 #include <QRegularExpression>
@@ -212,5 +214,5 @@ void TestRevisionsDialog::tellsWhatCannotBeMeasuredAgain()
     QVERIFY(!button(dialog, "Keep")->isEnabled());
 }
 
-QTEST_MAIN(TestRevisionsDialog)
+ODOGRAPH_TEST(TestRevisionsDialog, QApplication)
 #include "tst_revisions_dialog.moc"

@@ -3,6 +3,7 @@
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/busy_watch.h"
 #include "tests/ui/support/found_widgets.h"
 #include "ui/models/live_cameras.h"
@@ -340,5 +341,5 @@ void TestFloorWizard::layoutGoesOutAndComesBack()
     QVERIFY(!to.importCsv(m_folder.filePath(QStringLiteral("nowhere.csv"))));
 }
 
-QTEST_MAIN(TestFloorWizard)
+ODOGRAPH_TEST(TestFloorWizard, QApplication)
 #include "tst_floor_wizard.moc"

@@ -5,6 +5,7 @@
 #include "core/simulation/board_poses.h"
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/busy_watch.h"
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
@@ -17,6 +18,7 @@
 #include "ui/testbed/lens/picture_bars.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
@@ -328,5 +330,5 @@ void TestLensWizard::everyHintHasItsWords()
     QVERIFY(!words.contains(QString()));
 }
 
-QTEST_MAIN(TestLensWizard)
+ODOGRAPH_TEST(TestLensWizard, QApplication)
 #include "tst_lens_wizard.moc"

@@ -4,14 +4,16 @@
 #include "core/calibration/board_detection.h"
 #include "core/calibration/marker_detection.h"
 #include "core/video/frame.h"
+#include "tests/support/registered_test.h"
 #include "ui/testbed/targets/target_dialog.h"
 #include "ui/testbed/targets/target_painter.h"
 #include "ui/views/output_question.h"
 
-#include <QImage>
+#include <QApplication>
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QImage>
 #include <QLabel>
 #include <QPainter>
 #include <QTemporaryDir>
@@ -253,5 +255,5 @@ void TestTargets::dialogTellsWhatDoesNotFit()
     QVERIFY(dialog.savePdf({file.toStdString(), file}));
 }
 
-QTEST_MAIN(TestTargets)
+ODOGRAPH_TEST(TestTargets, QApplication)
 #include "tst_targets.moc"

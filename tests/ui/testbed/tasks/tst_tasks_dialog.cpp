@@ -2,6 +2,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/trajectory/task_templates.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/mnemonics.h"
 #include "tests/ui/support/person.h"
@@ -15,6 +16,7 @@
 
 #include <QAccessible>
 #include <QAction>
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -388,5 +390,5 @@ void TestTasksDialog::everyWidgetHasAName()
         }
 }
 
-QTEST_MAIN(TestTasksDialog)
+ODOGRAPH_TEST(TestTasksDialog, QApplication)
 #include "tst_tasks_dialog.moc"

@@ -2,10 +2,12 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/stored_registration.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/testbed/together/joint_dialog.h"
 
+#include <QApplication>
 #include <QDoubleSpinBox>
 #include <QTableWidget>
 #include <QTemporaryDir>
@@ -113,5 +115,5 @@ void TestJointDialog::cancelLeavesNothingBehind()
     QCOMPARE(inForce(), before);
 }
 
-QTEST_MAIN(TestJointDialog)
+ODOGRAPH_TEST(TestJointDialog, QApplication)
 #include "tst_joint_dialog.moc"

@@ -3,12 +3,14 @@
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
+#include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
 #include "ui/models/live_cameras.h"
 #include "ui/testbed/floor/marker_canvas.h"
 #include "ui/testbed/floor/picture_choice.h"
 #include "ui/testbed/together/through_wizard.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QStackedWidget>
 #include <QTableWidget>
@@ -206,5 +208,5 @@ void TestThroughWizard::cancelsAtEveryPage()
     QCOMPARE(second->QDialog::result(), int(QDialog::Rejected));
 }
 
-QTEST_MAIN(TestThroughWizard)
+ODOGRAPH_TEST(TestThroughWizard, QApplication)
 #include "tst_through_wizard.moc"
