@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 
-#include "app/option_names.h"
 #include "core/base/crash_report.h"
 #include "core/base/file_system.h"
 #include "core/base/plain_text.h"
 #include "core/base/units.h"
 #include "core/project/place_warning.h"
-#include "core/workflow/recover_job.h"
+#include "core/workflow/record/completed_recordings.h"
 
 #include <QJsonDocument>
 #include <algorithm>
@@ -49,7 +48,8 @@ CommandCall::CommandCall(CommandSyntax syntax, CancelToken cancel) : m_syntax(st
     m_parser.addOption({{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Show this help.")});
     m_control.cancel = std::move(cancel);
     if (isatty(STDERR_FILENO)) {
-        m_control.progress = [terminal = std::make_shared<TerminalProgress>()](double fraction, const std::string &text) {
+        m_control.progress = [terminal = std::make_shared<TerminalProgress>()](double fraction,
+                                                                               const std::string &text) {
             terminal->show(fraction, text);
         };
     }
@@ -60,7 +60,8 @@ Result<bool> CommandCall::parse(const QStringList &arguments)
     if (!m_parser.parse(QStringList(QStringLiteral("odograph ") + m_syntax.name) + arguments))
         return wrongCall(m_parser.errorText().chopped(m_parser.errorText().endsWith(u'.') ? 1 : 0));
     if (m_parser.isSet(QStringLiteral("help"))) {
-        std::fputs(("odograph " + m_syntax.name.toStdString() + " " + m_syntax.arguments.toStdString() + "\n").c_str(),
+        std::fputs(("odograph " + m_syntax.name.toStdString() + " " + m_syntax.arguments.toStdString() + "\n")
+                       .c_str(),
                    stdout);
         const QString options = m_parser.helpText().section(QStringLiteral("Options:"), 1);
         std::fputs(("\nOptions:" + options.toStdString()).c_str(), stdout);
@@ -91,7 +92,8 @@ Result<double> CommandCall::lengthM(const QString &option) const
     auto length = parseLengthM(value(option));
     constexpr double longestM = 1000;
     if (!length || *length <= 0 || *length > longestM)
-        return wrongCall(QStringLiteral("--%1 '%2' is not a length above zero, of 1 km at most").arg(option, m_parser.value(option)));
+        return wrongCall(QStringLiteral("--%1 '%2' is not a length above zero, of 1 km at most")
+                             .arg(option, m_parser.value(option)));
     return length;
 }
 
@@ -126,13 +128,16 @@ Result<std::pair<double, double>> CommandCall::sizePair(const QString &option) c
         if (first && second && *first > 0 && *second > 0 && std::max(*first, *second) <= largestSide)
             return std::pair(*first, *second);
     }
-    return wrongCall(QStringLiteral("--%1 '%2' is not of the form AxB, with numbers above zero, of 1,000,000 at most").arg(option, m_parser.value(option)));
+    return wrongCall(
+        QStringLiteral("--%1 '%2' is not of the form AxB, with numbers above zero, of 1,000,000 at most")
+            .arg(option, m_parser.value(option)));
 }
 
 tl::unexpected<Error> CommandCall::wrongCall(const QString &why) const
 {
     return fail(ErrorCode::WrongCall, m_syntax.name.toStdString(), why.toStdString(),
-                "call it as: odograph " + m_syntax.name.toStdString() + " " + m_syntax.arguments.toStdString());
+                "call it as: odograph " + m_syntax.name.toStdString() + " " +
+                    m_syntax.arguments.toStdString());
 }
 
 Result<std::unique_ptr<Project>> CommandCall::openProject(int index, Project::Access access) const
@@ -161,8 +166,14 @@ void CommandCall::answer(const QJsonObject &json, const QString &text) const
     isAnswered = true;
 }
 
-bool CommandCall::hasAnswered() { return isAnswered; }
+bool CommandCall::hasAnswered()
+{
+    return isAnswered;
+}
 
-void CommandCall::warn(const std::string &message) { std::fprintf(stderr, "odograph: %s\n", plainLine(message).c_str()); }
+void CommandCall::warn(const std::string &message)
+{
+    std::fprintf(stderr, "odograph: %s\n", plainLine(message).c_str());
+}
 
 } // namespace odo

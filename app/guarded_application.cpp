@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/guarded_application.h"
 
-#include "core/base/last_resort.h"
 #include "core/base/shortage.h"
-#include "ui/models/error_words.h"
+#include "ui/models/core_words.h"
 
 #include <QMessageBox>
 #include <QSemaphore>
@@ -36,7 +35,8 @@ void GuardedApplication::tell(const QString &line)
         return;
     m_isTelling = true;
     QTimer::singleShot(0, this, [this, line] {
-        QMessageBox box(QMessageBox::Critical, applicationDisplayName(), line, QMessageBox::Ok, activeWindow());
+        QMessageBox box(QMessageBox::Critical, applicationDisplayName(), line, QMessageBox::Ok,
+                        activeWindow());
         box.setTextFormat(Qt::PlainText);
         box.exec();
         m_isTelling = false;
@@ -54,7 +54,9 @@ void dropSenselessScales()
         qunsetenv("QT_SCALE_FACTOR");
     const QByteArray screens = qgetenv("QT_SCREEN_SCALE_FACTORS"); // "1.5;2" or "name=1.5;name=2"
     const QList<QByteArray> factors = screens.split(';');
-    if (!screens.isEmpty() && !std::ranges::all_of(factors, [&](const QByteArray &each) { return isSensible(each.mid(each.indexOf('=') + 1)); }))
+    if (!screens.isEmpty() && !std::ranges::all_of(factors, [&](const QByteArray &each) {
+            return isSensible(each.mid(each.indexOf('=') + 1));
+        }))
         qunsetenv("QT_SCREEN_SCALE_FACTORS");
     bool isNumber = false;
     const int dpi = qgetenv("QT_FONT_DPI").toInt(&isNumber);
@@ -65,7 +67,8 @@ void dropSenselessScales()
 void keepPaintersReady()
 {
     using namespace std::chrono_literals;
-    constexpr std::size_t filesOfPainting = 40; // with those of threads, of which Qt tells in lines of its own
+    // with those of threads, of which Qt tells in lines of its own
+    constexpr std::size_t filesOfPainting = 40;
     needFiles(filesOfPainting);
     QThreadPool &pool = *QThreadPool::globalInstance();
     pool.setExpiryTimeout(-1);

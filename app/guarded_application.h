@@ -18,12 +18,13 @@ private:
     bool m_isTelling = false; ///< one at a time: what fails at each painting would open boxes without end
 };
 
-/// Before an application is made: settings of the environment by which Qt ends the program or shows nothing, because they are no
-/// numbers or beyond all sense, are dropped.
+/// Before an application is made: settings of the environment by which Qt ends the program or shows nothing,
+/// because they are no numbers or beyond all sense, are dropped.
 void dropSenselessScales();
 
-/// Once there is an application that paints: Qt paints on threads of its pool, and waits for ever where one of them is not to be had. They
-/// are started now, and stay. Ends the program (endForShortage) where they are not to be had: Qt would wait for them in ending, too.
+/// Once there is an application that paints: Qt paints on threads of its pool, and waits for ever where one
+/// of them is not to be had. They are started now, and stay. Ends the program (endForShortage) where they are
+/// not to be had: Qt would wait for them in ending, too.
 void keepPaintersReady();
 
 } // namespace odo

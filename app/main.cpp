@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/answers.h"
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "app/guarded_application.h"
-#include "app/json_answers.h"
 #include "app/workbench.h"
 #include "core/base/crash_report.h"
-#include "core/base/last_resort.h"
 #include "core/base/memory_pools.h"
 #include "core/base/plain_text.h"
 #include "core/base/shortage.h"
 #include "core/base/stop_signals.h"
-#include "core/project/sound_backup.h"
+#include "core/project/project_rescue.h"
 
 #include <QApplication>
 #include <QFileInfo>
@@ -48,7 +47,8 @@ constexpr NamedCommand commands[] = {
     {"layout", "add, show, move, export layouts of floor markers", runLayout, false},
     {"register", "register a camera to the floor", runRegister, false},
     {"moved", "tell whether a camera or a marker has moved since the registration", runMoved, false},
-    {"revisions", "list the calibrations and registrations of a camera, put one in force", runRevisions, false},
+    {"revisions", "list the calibrations and registrations of a camera, put one in force", runRevisions,
+     false},
     {"task", "add a task with gates, path and limits, list them, give one to a trial", runTask, false},
     {"import", "bring in the videos of a trial", runImport, false},
     {"record", "record a trial from cameras", runRecord, false},
@@ -72,9 +72,10 @@ constexpr int exitDone = 0, exitFailed = 1, exitWrongCall = 2;
 
 void printHelp()
 {
-    std::puts("odograph [PROJECT.odo]           open the workbench\n"
-              "odograph --window [PROJECT.odo]  the same, and tell in the window what is wrong with the project\n"
-              "odograph COMMAND ...             run without a window; odograph COMMAND --help tells how\n");
+    std::puts(
+        "odograph [PROJECT.odo]           open the workbench\n"
+        "odograph --window [PROJECT.odo]  the same, and tell in the window what is wrong with the project\n"
+        "odograph COMMAND ...             run without a window; odograph COMMAND --help tells how\n");
     for (const NamedCommand &command : commands)
         std::printf("  %-11s %s\n", command.name, command.summary);
 }
@@ -117,7 +118,10 @@ int report(const Result<void> &result)
 }
 
 /// Files and answers are written with a point, whatever the locale; what a person reads goes through QLocale.
-void keepNumbersPlain() { std::setlocale(LC_NUMERIC, "C"); }
+void keepNumbersPlain()
+{
+    std::setlocale(LC_NUMERIC, "C");
+}
 
 /// Standard error belongs to our one line; Qt's remarks on platform plugins are for nobody there.
 void dropRemarks(QtMsgType type, const QMessageLogContext &, const QString &message)
@@ -137,7 +141,8 @@ Result<void> printed()
                 "what was to be done is done, make room and ask again");
 }
 
-/// Where a command was stopped, what it was doing just then is of no interest, and would be taken for what went wrong.
+/// Where a command was stopped, what it was doing just then is of no interest, and would be taken for what
+/// went wrong.
 Result<void> ofCommand(const char *name, Result<void> failed)
 {
     const Error stopped = cancelled(name).value();
@@ -150,7 +155,7 @@ int runCommand(const NamedCommand &command, int argc, char **argv)
 {
     qInstallMessageHandler(dropRemarks);
     watchStopSignals();
-    qputenv("QT_NO_GLIB", "1"); // which would write of its own where files run out
+    qputenv("QT_NO_GLIB", "1");              // which would write of its own where files run out
     constexpr std::size_t filesOfEvents = 2; // Qt's pipe, which must be had
     needFiles(filesOfEvents);
     std::unique_ptr<QCoreApplication> application;
@@ -158,7 +163,8 @@ int runCommand(const NamedCommand &command, int argc, char **argv)
         return std::any_of(argv, argv + argc, [word](const char *a) { return std::strcmp(a, word) == 0; });
     };
     const bool opensWindow = says("--open");
-    const bool paints = command.needsWindow || (command.run == runExport && (says("video") || says("--format=video")));
+    const bool paints =
+        command.needsWindow || (command.run == runExport && (says("video") || says("--format=video")));
     if (paints) {
         // A picture of the window needs no display, and must look the same with one.
         qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -172,23 +178,25 @@ int runCommand(const NamedCommand &command, int argc, char **argv)
     keepNumbersPlain();
     if (paints || opensWindow)
         keepPaintersReady();
-    const Result<void> done = orShortage(command.name, [&] {
-        return command.run(QCoreApplication::arguments().mid(2), stopToken());
-    });
+    const Result<void> done = orShortage(
+        command.name, [&] { return command.run(QCoreApplication::arguments().mid(2), stopToken()); });
     return report(done ? printed() : ofCommand(command.name, done));
 }
 
 int openWorkbench(int argc, char **argv)
 {
     GuardedApplication application(argc, argv);
-    QCoreApplication::setOrganizationName(QStringLiteral("odograph")); // its settings lie in a folder of that name
+    // its settings lie in a folder of that name
+    QCoreApplication::setOrganizationName(QStringLiteral("odograph"));
     QCoreApplication::setApplicationName(QStringLiteral("odograph"));
     keepNumbersPlain();
     watchStopSignals();
     keepPaintersReady();
     QStringList arguments = QCoreApplication::arguments().mid(1);
     const bool hasTerminal = arguments.removeAll(QLatin1String(windowOption)) == 0;
-    const auto project = arguments.isEmpty() ? std::nullopt : std::optional<std::filesystem::path>(arguments.first().toStdString());
+    const auto project = arguments.isEmpty()
+                             ? std::nullopt
+                             : std::optional<std::filesystem::path>(arguments.first().toStdString());
     if (project && hasTerminal) {
         if (auto worth = worthOpening(*project); !worth)
             return report(worth); // without a window
@@ -200,13 +208,14 @@ int openWorkbench(int argc, char **argv)
 int run(int argc, char **argv)
 {
     shareMemoryPools();
-    watchForCrashes(stateFolder(), ODOGRAPH_VERSION); // where it cannot, the program does its work all the same
+    // where it cannot, the program does its work all the same
+    watchForCrashes(stateFolder(), ODOGRAPH_VERSION);
     dropSenselessScales();
     for (int i = 1; i < argc; ++i) {
         // Qt would make another name of it.
         if (!QUtf8StringView(argv[i]).isValidUtf8())
-            return report(fail(ErrorCode::WrongCall, '\'' + std::string(argv[i]) + '\'', "it is not valid UTF-8, so it cannot be used",
-                               "rename the file or folder"));
+            return report(fail(ErrorCode::WrongCall, '\'' + std::string(argv[i]) + '\'',
+                               "it is not valid UTF-8, so it cannot be used", "rename the file or folder"));
     }
     const std::string_view first = argc > 1 ? argv[1] : "";
     if (first == "--help" || first == "-h" || first == "help") {
@@ -221,11 +230,12 @@ int run(int argc, char **argv)
         if (first == command.name)
             return runCommand(command, argc, argv);
     }
-    const bool isProject = first.ends_with(".odo") || QFileInfo(QString::fromLocal8Bit(argc > 1 ? argv[1] : "")).isFile();
+    const bool isProject =
+        first.ends_with(".odo") || QFileInfo(QString::fromLocal8Bit(argc > 1 ? argv[1] : "")).isFile();
     if (argc == 1 || (argc == 2 && isProject) || (argc <= 3 && first == windowOption))
         return openWorkbench(argc, argv);
-    return report(fail(ErrorCode::WrongCall, '\'' + std::string(first) + '\'', "neither a command nor a project",
-                       "see odograph help"));
+    return report(fail(ErrorCode::WrongCall, '\'' + std::string(first) + '\'',
+                       "neither a command nor a project", "see odograph help"));
 }
 
 } // namespace
@@ -233,8 +243,10 @@ int run(int argc, char **argv)
 int main(int argc, char **argv)
 {
     openStandardFiles();
-    isJsonAsked = std::any_of(argv + 1, argv + argc, [](const char *word) { return std::strcmp(word, "--json") == 0; });
-    std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error like a full disk, not the end of the program
+    isJsonAsked =
+        std::any_of(argv + 1, argv + argc, [](const char *word) { return std::strcmp(word, "--json") == 0; });
+    // a file that may not grow is an error like a full disk, not the end of the program
+    std::signal(SIGXFSZ, SIG_IGN);
     catchWhatNobodyCatches();
     try {
         return run(argc, argv);

@@ -5,11 +5,10 @@
 #include "core/files/output_file.h"
 #include "core/project/project.h"
 #include "ui/main_window/appearance.h"
-#include "ui/main_window/crash_notice.h"
 #include "ui/main_window/language.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/paint_window.h"
-#include "ui/main_window/stop_requests.h"
+#include "ui/main_window/program_ends.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/trial_scene.h"
 
@@ -42,9 +41,11 @@ Result<void> paintWorkbench(const std::filesystem::path &project, const std::str
 {
     applyAppearance(*qApp);
     const std::string what = "picture '" + picture.file.string() + "'";
-    const QByteArray format = QFileInfo(QString::fromStdString(picture.file.string())).suffix().toLatin1().toLower();
+    const QByteArray format =
+        QFileInfo(QString::fromStdString(picture.file.string())).suffix().toLatin1().toLower();
     if (!QImageWriter::supportedImageFormats().contains(format))
-        return fail(ErrorCode::WrongCall, what, "its format is not known", "give it a name that ends in .png or .jpg");
+        return fail(ErrorCode::WrongCall, what, "its format is not known",
+                    "give it a name that ends in .png or .jpg");
     MainWindow window;
     if (auto opened = window.openProject(project); !opened)
         return opened;

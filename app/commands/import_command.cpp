@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/import_command.h"
+
+#include "app/answers.h"
 #include "app/command_call.h"
 #include "app/commands/commands.h"
-#include "app/commands/import_tracks.h"
-#include "app/json_answers.h"
-#include "app/option_names.h"
-#include "app/step_words.h"
 #include "core/project/limits.h"
 #include "core/project/repositories.h"
-#include "core/workflow/import_trial_job.h"
+#include "core/workflow/import/import_tracks_job.h"
+#include "core/workflow/import/import_trial_job.h"
 
 #include <cmath>
 
@@ -26,10 +26,12 @@ Result<ImportSettings> importSettings(const CommandCall &call)
         return tl::unexpected(videos.error());
     for (const auto &[camera, file] : *videos)
         settings.videos.emplace_back(camera, file);
-    for (const QString &text : QString::fromStdString(call.value(option::sync)).split(u',', Qt::SkipEmptyParts)) {
+    for (const QString &text :
+         QString::fromStdString(call.value(option::sync)).split(u',', Qt::SkipEmptyParts)) {
         const std::string how = text.trimmed().toStdString();
         if (how == "auto" || how == "none") {
-            settings.steps.push_back({how == "auto" ? ImportSettings::Sync::Automatic : ImportSettings::Sync::None, 0});
+            settings.steps.push_back(
+                {how == "auto" ? ImportSettings::Sync::Automatic : ImportSettings::Sync::None, 0});
             continue;
         }
         const auto offset = parseNumber(how);
@@ -46,7 +48,8 @@ Result<ImportSettings> importSettings(const CommandCall &call)
     if (call.isSet(option::rate)) {
         const auto framesPerSecond = call.number(option::rate);
         if (!framesPerSecond || *framesPerSecond < lowestFrameRate || *framesPerSecond > highestFrameRate)
-            return call.wrongCall(QStringLiteral("--rate is a number of frames a second from 0.1 to 100,000"));
+            return call.wrongCall(
+                QStringLiteral("--rate is a number of frames a second from 0.1 to 100,000"));
         settings.rate = *framesPerSecond;
     }
     return settings;
@@ -58,7 +61,8 @@ Result<void> importTracksOf(const CommandCall &call)
         return call.wrongCall(QStringLiteral("--trial and --track are needed"));
     for (const QString &other : {option::video, option::robot, option::rate, option::sync}) {
         if (call.isSet(other))
-            return call.wrongCall(QStringLiteral("--track goes with --trial, --team and --task, not with --%1").arg(other));
+            return call.wrongCall(
+                QStringLiteral("--track goes with --trial, --team and --task, not with --%1").arg(other));
     }
     const auto tracks = call.pairs(option::track);
     if (!tracks)
@@ -81,22 +85,33 @@ std::vector<std::string> robotsOfTeam(Project &project, const std::string &name)
 
 Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
 {
-    CommandCall call({QStringLiteral("import"),
-                      QStringLiteral("P.odo --trial NAME --video A=a.mp4 [--video B=b.mp4]... [--sync auto|none|SECONDS[,...]] "
-                                     "[--team T] [--task NAME] [--robot R]... [--rate 240] [--json]\n"
-                                     "       odograph import P.odo --trial NAME --track R=FILE... [--team T] [--task NAME] [--json]"),
-                      1, 1,
-                      {{option::trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},
-                       {option::video, QStringLiteral("A view: the camera's name and the file."), QStringLiteral("CAMERA=FILE")},
-                       {option::track, QStringLiteral("A robot's finished track in place of videos: TUM, CSV with t_s,x_mm,y_mm, or Tracker text."),
-                        QStringLiteral("ROBOT=FILE")},
-                       {option::sync, QStringLiteral("How much later each other view's first frame was taken than the first view's; auto: found from the motion or a flash of light."),
-                        QStringLiteral("auto|none|SECONDS[,...]")},
-                       {option::team, QStringLiteral("The team that ran."), QStringLiteral("T")},
-                       {option::task, QStringLiteral("The task that was driven; see odograph task add."), QStringLiteral("NAME")},
-                       {option::robot, QStringLiteral("A robot that is seen; else those that belong to the team."), QStringLiteral("R")},
-                       {option::rate, QStringLiteral("The camera's frame rate where the file has another."), QStringLiteral("FPS")}}},
-                     cancel);
+    CommandCall call(
+        {QStringLiteral("import"),
+         QStringLiteral(
+             "P.odo --trial NAME --video A=a.mp4 [--video B=b.mp4]... [--sync auto|none|SECONDS[,...]] "
+             "[--team T] [--task NAME] [--robot R]... [--rate 240] [--json]\n"
+             "       odograph import P.odo --trial NAME --track R=FILE... [--team T] [--task NAME] [--json]"),
+         1,
+         1,
+         {{option::trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},
+          {option::video, QStringLiteral("A view: the camera's name and the file."),
+           QStringLiteral("CAMERA=FILE")},
+          {option::track,
+           QStringLiteral(
+               "A robot's finished track in place of videos: TUM, CSV with t_s,x_mm,y_mm, or Tracker text."),
+           QStringLiteral("ROBOT=FILE")},
+          {option::sync,
+           QStringLiteral("How much later each other view's first frame was taken than the first view's; "
+                          "auto: found from the motion or a flash of light."),
+           QStringLiteral("auto|none|SECONDS[,...]")},
+          {option::team, QStringLiteral("The team that ran."), QStringLiteral("T")},
+          {option::task, QStringLiteral("The task that was driven; see odograph task add."),
+           QStringLiteral("NAME")},
+          {option::robot, QStringLiteral("A robot that is seen; else those that belong to the team."),
+           QStringLiteral("R")},
+          {option::rate, QStringLiteral("The camera's frame rate where the file has another."),
+           QStringLiteral("FPS")}}},
+        cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
     if (call.isSet(option::track))
@@ -127,6 +142,88 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
                                  .arg(job.recordings().size()))
                  << stepSentences(job.recordings()))
                     .join(u'\n'));
+    for (const std::string &warning : job.warnings())
+        CommandCall::warn(warning);
+    return {};
+}
+
+namespace {
+
+QString robotText(const ImportTracksJob::Imported &one)
+{
+    const Profile &profile = one.analysis.profile;
+    const QString figures = QStringLiteral("%1, %2, path %3 m in %4 s, top speed %5 m/s")
+                                .arg(counted(profile.points.size(), QStringLiteral("position")))
+                                .arg(counted(profile.spikes.size(), QStringLiteral("spike")))
+                                .arg(metricValue(profile, "path_length"), 0, 'f', 3)
+                                .arg(metricValue(profile, "duration"), 0, 'f', 2)
+                                .arg(metricValue(profile, "max_speed"), 0, 'f', 3);
+    return QString::fromStdString(one.robot.name) + QStringLiteral(": ") + figures + taskRemark(profile) +
+           QStringLiteral("\n  ") + importedTrackText(one.source);
+}
+
+QJsonObject robotJson(const ImportTracksJob::Imported &one)
+{
+    const Profile &profile = one.analysis.profile;
+    QJsonObject json{{QStringLiteral("samples"), qint64(profile.points.size())},
+                     {QStringLiteral("spikes"), qint64(profile.spikes.size())},
+                     {QStringLiteral("path_length_m"), metricValue(profile, "path_length")},
+                     {QStringLiteral("duration_s"), metricValue(profile, "duration")},
+                     {QStringLiteral("mean_speed_m_s"), metricValue(profile, "mean_speed")},
+                     {QStringLiteral("max_speed_m_s"), metricValue(profile, "max_speed")},
+                     {QStringLiteral("imported"), importedTrackJson(one.source)}};
+    insertTaskAnswers(json, profile);
+    return json;
+}
+
+} // namespace
+
+QJsonObject importedTrackJson(const ImportedTrack &source)
+{
+    return {{QStringLiteral("file"), QString::fromStdString(source.file)},
+            {QStringLiteral("sha256"), QString::fromStdString(source.sha256)},
+            {QStringLiteral("bytes"), qint64(source.bytes)},
+            {QStringLiteral("format"), QString::fromStdString(source.format)},
+            {QStringLiteral("noise_mm"), toMillimetres(source.noiseM)},
+            {QStringLiteral("reading"), QString::fromStdString(source.reading)}};
+}
+
+QString importedTrackText(const ImportedTrack &source)
+{
+    return QStringLiteral("imported from %1 (%2, SHA-256 %3): %4")
+        .arg(QString::fromStdString(source.file), QString::fromStdString(source.format),
+             QString::fromStdString(source.sha256.substr(0, 12)), QString::fromStdString(source.reading));
+}
+
+Result<void> importTracks(const CommandCall &call,
+                          const std::vector<std::pair<std::string, std::string>> &tracks)
+{
+    ImportTracksSettings settings;
+    settings.trial = call.value(QStringLiteral("trial"));
+    settings.team = call.value(QStringLiteral("team"));
+    settings.task = call.value(QStringLiteral("task"));
+    for (const auto &[robot, file] : tracks)
+        settings.tracks.emplace_back(robot, file);
+    const auto project = call.openProject(0, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    ImportTracksJob job(std::move(settings));
+    if (auto done = runToEnd(job, **project, call.control()); !done)
+        return done;
+    QJsonObject robots;
+    QStringList lines(
+        QStringLiteral("Trial %1 imported, tracks: %2")
+            .arg(QString::fromStdString(job.trial().name), QString::number(job.imported().size())));
+    for (const ImportTracksJob::Imported &one : job.imported()) {
+        robots.insert(QString::fromStdString(one.robot.name), robotJson(one));
+        lines << robotText(one);
+    }
+    call.answer({{QStringLiteral("trial"), QString::fromStdString(job.trial().name)},
+                 {QStringLiteral("views"), QJsonObject()},
+                 {QStringLiteral("sync"), syncJson(job.trial())},
+                 {QStringLiteral("robots"), robots},
+                 {QStringLiteral("warnings"), sentencesJson(job.warnings())}},
+                lines.join(u'\n'));
     for (const std::string &warning : job.warnings())
         CommandCall::warn(warning);
     return {};

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/answers.h"
 #include "app/command_call.h"
 #include "app/commands/commands.h"
-#include "app/counted.h"
-#include "app/json_answers.h"
-#include "app/option_names.h"
-#include "app/output_option.h"
-#include "core/exchange/layout_csv.h"
-#include "core/project/changing.h"
+#include "app/output_options.h"
+#include "core/exchange/labelled_points.h"
+#include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/layout_axes.h"
-#include "core/workflow/stored_registration.h"
+#include "core/workflow/calibrate/cameras.h"
+#include "core/workflow/calibrate/layout_axes.h"
 
 #include <cmath>
 
@@ -55,7 +53,8 @@ Result<void> add(CommandCall &call)
     const auto project = call.openProject(1, Project::Access::ReadWrite);
     if (!project)
         return tl::unexpected(project.error());
-    const auto added = changing(**project, "add layout " + layout->name, [&] { return (*project)->layouts().add(*layout); });
+    const auto added =
+        changing(**project, "add layout " + layout->name, [&] { return (*project)->layouts().add(*layout); });
     if (!added)
         return tl::unexpected(added.error());
     const int markers = int(layout->markers.size());
@@ -87,7 +86,8 @@ Result<void> list(CommandCall &call)
                                 {QStringLiteral("cameras"), QJsonArray::fromStringList(registered)}});
         lines << QStringLiteral("%1: %2, %3")
                      .arg(name, counted(markers, QStringLiteral("marker")),
-                          registered.isEmpty() ? QStringLiteral("no camera registered") : registered.join(QStringLiteral(", ")));
+                          registered.isEmpty() ? QStringLiteral("no camera registered")
+                                               : registered.join(QStringLiteral(", ")));
     }
     if (lines.isEmpty())
         lines << QStringLiteral("There is no layout yet.");
@@ -126,8 +126,9 @@ Result<void> exportCsv(CommandCall &call)
         return tl::unexpected(target.error());
     if (auto written = writeLayoutCsv(*target, layout->layout); !written)
         return written;
-    call.answer({{QStringLiteral("layout"), call.positional(2)}, {QStringLiteral("file"), call.positional(3)}},
-                QStringLiteral("Layout %1 is written to %2.").arg(call.positional(2), call.positional(3)));
+    call.answer(
+        {{QStringLiteral("layout"), call.positional(2)}, {QStringLiteral("file"), call.positional(3)}},
+        QStringLiteral("Layout %1 is written to %2.").arg(call.positional(2), call.positional(3)));
     return {};
 }
 
@@ -196,8 +197,9 @@ Result<void> transform(CommandCall &call)
     QStringList cameras;
     for (const std::string &camera : outcome->cameras)
         cameras << QString::fromStdString(camera);
-    const QString carried = cameras.isEmpty() ? QStringLiteral("No camera stands on it.")
-                                              : QStringLiteral("Carried along: %1.").arg(cameras.join(QStringLiteral(", ")));
+    const QString carried =
+        cameras.isEmpty() ? QStringLiteral("No camera stands on it.")
+                          : QStringLiteral("Carried along: %1.").arg(cameras.join(QStringLiteral(", ")));
     call.answer({{QStringLiteral("layout"), call.positional(2)},
                  {QStringLiteral("markers"), markersJson(outcome->layout.layout)},
                  {QStringLiteral("cameras"), QJsonArray::fromStringList(cameras)}},
@@ -206,7 +208,8 @@ Result<void> transform(CommandCall &call)
         QStringList tasks;
         for (const std::string &task : outcome->tasks)
             tasks << QString::fromStdString(task);
-        CommandCall::warn("the gates and paths of tasks stay where they are in the axes that were: where they lie on this floor, make " +
+        CommandCall::warn("the gates and paths of tasks stay where they are in the axes that were: where "
+                          "they lie on this floor, make " +
                           tasks.join(QStringLiteral(", ")).toStdString() + " anew");
     }
     return {};
@@ -218,17 +221,23 @@ Result<void> runLayout(const QStringList &arguments, const CancelToken &cancel)
 {
     CommandCall call(
         {QStringLiteral("layout"),
-         QStringLiteral("add P.odo NAME layout.csv | list P.odo | show P.odo NAME | export P.odo NAME layout.csv [--force] | "
-                        "transform P.odo NAME [--origin LABEL | --origin-at X,Y] [--turn DEGREES | --x-axis LABEL,LABEL] "
+         QStringLiteral("add P.odo NAME layout.csv | list P.odo | show P.odo NAME | export P.odo NAME "
+                        "layout.csv [--force] | "
+                        "transform P.odo NAME [--origin LABEL | --origin-at X,Y] [--turn DEGREES | --x-axis "
+                        "LABEL,LABEL] "
                         "[--reverse x|y|xy] [--unit mm|cm|m|inch] [--json]"),
-         2, 4,
+         2,
+         4,
          {{option::origin, QStringLiteral("The marker that becomes the origin."), QStringLiteral("LABEL")},
           {option::originAt, QStringLiteral("The point that becomes the origin."), QStringLiteral("X,Y")},
-          {option::turn, QStringLiteral("The angle of the new X in the old axes, counter-clockwise."), QStringLiteral("DEGREES")},
-          {option::xAxis, QStringLiteral("X runs from the first marker to the second."), QStringLiteral("LABEL,LABEL")},
+          {option::turn, QStringLiteral("The angle of the new X in the old axes, counter-clockwise."),
+           QStringLiteral("DEGREES")},
+          {option::xAxis, QStringLiteral("X runs from the first marker to the second."),
+           QStringLiteral("LABEL,LABEL")},
           {option::reverse, QStringLiteral("Reverses both axes: xy."), QStringLiteral("AXES")},
           forceOption(),
-          {option::unit, QStringLiteral("What the layout's numbers were, where they were read as mm."), QStringLiteral("UNIT")}}},
+          {option::unit, QStringLiteral("What the layout's numbers were, where they were read as mm."),
+           QStringLiteral("UNIT")}}},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
@@ -238,12 +247,17 @@ Result<void> runLayout(const QStringList &arguments, const CancelToken &cancel)
         int positionals;
         Result<void> (*run)(CommandCall &);
     };
-    static constexpr Verb verbs[] = {{"add", 4, add}, {"list", 2, list}, {"show", 3, show}, {"export", 4, exportCsv}, {"transform", 3, transform}};
+    static constexpr Verb verbs[] = {{"add", 4, add},
+                                     {"list", 2, list},
+                                     {"show", 3, show},
+                                     {"export", 4, exportCsv},
+                                     {"transform", 3, transform}};
     for (const Verb &verb : verbs) {
         if (call.positional(0) != QLatin1String(verb.name))
             continue;
         if (call.positionals().size() != verb.positionals)
-            return call.wrongCall(QStringLiteral("'%1' takes %2 arguments").arg(call.positional(0)).arg(verb.positionals - 1));
+            return call.wrongCall(
+                QStringLiteral("'%1' takes %2 arguments").arg(call.positional(0)).arg(verb.positionals - 1));
         return verb.run(call);
     }
     return call.wrongCall(QStringLiteral("'%1' is not known").arg(call.positional(0)));

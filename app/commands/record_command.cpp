@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/answers.h"
 #include "app/command_call.h"
 #include "app/commands/commands.h"
-#include "app/counted.h"
-#include "app/option_names.h"
 #include "core/base/percentile.h"
-#include "core/workflow/record_trial.h"
+#include "core/workflow/record/record_trial.h"
 
 #include <cmath>
 
@@ -22,7 +21,8 @@ Result<void> answerRecover(const CommandCall &call)
     if (!trials)
         return tl::unexpected(trials.error());
     if (const auto left = std::ranges::find_if(*trials, &TrialName::unfinished); left != trials->end())
-        return fail(ErrorCode::InvalidInput, "trial '" + left->name + "'", "its recording was cut off; it is not complete yet", "follow what is said above");
+        return fail(ErrorCode::InvalidInput, "trial '" + left->name + "'",
+                    "its recording was cut off; it is not complete yet", "follow what is said above");
     call.answer({{QStringLiteral("project"), call.positional(0)}},
                 QStringLiteral("No recording is left that was cut off."));
     return {};
@@ -44,7 +44,8 @@ Result<RecordSettings> recordSettings(const CommandCall &call)
     if (call.isSet(option::seconds)) {
         const auto number = call.number(option::seconds);
         if (!number || *number <= 0 || *number > longestRecordingS)
-            return call.wrongCall(QStringLiteral("--seconds is a number above zero, of 86,400 (a day) at most"));
+            return call.wrongCall(
+                QStringLiteral("--seconds is a number above zero, of 86,400 (a day) at most"));
         settings.seconds = *number;
     }
     if (call.isSet(option::sslVision)) {
@@ -95,14 +96,15 @@ QJsonObject viewsJson(const LiveTrial &recorded, const RecordSettings &settings)
     return views;
 }
 
-/// The parser knows no value that can be left out: `--ssl-vision` alone gets an empty one. What follows it is its value, unless that is
-/// an option or the project.
+/// The parser knows no value that can be left out: `--ssl-vision` alone gets an empty one. What follows it is
+/// its value, unless that is an option or the project.
 QStringList withTarget(QStringList arguments)
 {
     const QString option = QStringLiteral("--") + option::sslVision;
     for (qsizetype i = arguments.indexOf(option); i >= 0; i = arguments.indexOf(option, i + 1)) {
         const QString next = arguments.value(i + 1, QStringLiteral("-"));
-        const bool isValue = !next.startsWith(u'-') && !next.endsWith(QStringLiteral(".odo"), Qt::CaseInsensitive);
+        const bool isValue =
+            !next.startsWith(u'-') && !next.endsWith(QStringLiteral(".odo"), Qt::CaseInsensitive);
         arguments[i] += u'=' + (isValue ? next : QString());
         if (isValue)
             arguments.removeAt(i + 1);
@@ -123,15 +125,17 @@ Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
          {{option::trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},
           {option::camera, QStringLiteral("A view: the camera's name and its address; see odograph cameras."),
            QStringLiteral("CAMERA=URI")},
-          {option::seconds, QStringLiteral("How long, from when all cameras deliver."), QStringLiteral("SECONDS")},
+          {option::seconds, QStringLiteral("How long, from when all cameras deliver."),
+           QStringLiteral("SECONDS")},
           {option::preRoll,
            QStringLiteral(
                "What is recorded from before that, 10 seconds at most: the cameras run so long first."),
            QStringLiteral("SECONDS")},
           {option::robot, QStringLiteral("A robot that is seen."), QStringLiteral("R")},
           {option::sslVision,
-           QStringLiteral("Sends the robots' live positions as SSL-Vision packets, on this machine's loopback only; "
-                          "224.5.23.2:10006 unless another address is told."),
+           QStringLiteral(
+               "Sends the robots' live positions as SSL-Vision packets, on this machine's loopback only; "
+               "224.5.23.2:10006 unless another address is told."),
            QStringLiteral("[ADDRESS:PORT]")},
           {option::recover,
            QStringLiteral(
@@ -179,8 +183,8 @@ Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
         CommandCall::warn(warning);
     if (!call.control().isCancelled())
         return {};
-    return fail(ErrorCode::Cancelled, "recording of trial '" + recorded.trial().name + "'", "it was stopped before its time was over",
-                "what was recorded until then is kept");
+    return fail(ErrorCode::Cancelled, "recording of trial '" + recorded.trial().name + "'",
+                "it was stopped before its time was over", "what was recorded until then is kept");
 }
 
 } // namespace odo

@@ -15,7 +15,9 @@ std::string shortened(const std::string &part)
     constexpr std::size_t longest = 600, kept = longest / 2;
     if (part.size() <= longest)
         return part;
-    const auto isInside = [&part](std::size_t at) { return (static_cast<unsigned char>(part[at]) & 0xC0) == 0x80; };
+    const auto isInside = [&part](std::size_t at) {
+        return (static_cast<unsigned char>(part[at]) & 0xC0) == 0x80;
+    };
     std::size_t end = kept, begin = part.size() - kept;
     while (end > 0 && isInside(end))
         --end;
@@ -31,7 +33,8 @@ std::string Error::message() const
     std::string line = shortened(what) + ": " + shortened(why);
     if (!advice.empty())
         line += "; " + shortened(advice);
-    std::ranges::replace_if(line, [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+    std::ranges::replace_if(
+        line, [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
     return plainLine(line);
 }
 

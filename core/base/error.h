@@ -30,7 +30,8 @@ struct Error
     std::string why;    ///< the cause, with line or figure where there is one
     std::string advice; ///< what the user can do now
 
-    /// "what: why; advice", on one line: control characters are replaced by spaces, and of a part of more than 600 bytes (a long path) the middle is left out.
+    /// "what: why; advice", on one line: control characters are replaced by spaces, and of a part of more
+    /// than 600 bytes (a long path) the middle is left out.
     std::string message() const;
 };
 
@@ -43,5 +44,12 @@ tl::unexpected<Error> fail(ErrorCode code, std::string what, std::string why, st
 
 /// The failure of a cancelled job.
 tl::unexpected<Error> cancelled(std::string what);
+
+/// Whether it went well, where nobody wants the value.
+template <class T>
+Result<void> withoutValue(const Result<T> &outcome)
+{
+    return outcome ? Result<void>() : tl::unexpected(outcome.error());
+}
 
 } // namespace odo

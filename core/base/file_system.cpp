@@ -38,7 +38,8 @@ Kind kindOfStatus(const fs::file_status &status)
 }
 
 /// Some forms of std::filesystem throw in spite of an error_code.
-template <class Call> auto answer(std::error_code &problem, const Call &call) -> decltype(call(problem))
+template <class Call>
+auto answer(std::error_code &problem, const Call &call) -> decltype(call(problem))
 {
     problem.clear();
     try {
@@ -53,7 +54,8 @@ template <class Call> auto answer(std::error_code &problem, const Call &call) ->
 
 Kind kindOf(const fs::path &path, std::error_code &problem)
 {
-    const fs::file_status status = answer(problem, [&](std::error_code &code) { return fs::status(path, code); });
+    const fs::file_status status =
+        answer(problem, [&](std::error_code &code) { return fs::status(path, code); });
     if (status.type() == fs::file_type::not_found)
         problem.clear();
     return kindOfStatus(status);
@@ -62,7 +64,8 @@ Kind kindOf(const fs::path &path, std::error_code &problem)
 Kind kindOfItself(const fs::path &path)
 {
     std::error_code unknown;
-    return kindOfStatus(answer(unknown, [&](std::error_code &code) { return fs::symlink_status(path, code); }));
+    return kindOfStatus(
+        answer(unknown, [&](std::error_code &code) { return fs::symlink_status(path, code); }));
 }
 
 const char *insteadOfFile(Kind kind)
@@ -110,13 +113,15 @@ bool isSame(const fs::path &a, const fs::path &b)
 
 std::uintmax_t sizeOf(const fs::path &file, std::error_code &problem)
 {
-    const std::uintmax_t bytes = answer(problem, [&](std::error_code &code) { return fs::file_size(file, code); });
+    const std::uintmax_t bytes =
+        answer(problem, [&](std::error_code &code) { return fs::file_size(file, code); });
     return problem ? 0 : bytes;
 }
 
 DiskSpace diskSpace(const fs::path &folder, std::error_code &problem)
 {
-    const fs::space_info space = answer(problem, [&](std::error_code &code) { return fs::space(folder, code); });
+    const fs::space_info space =
+        answer(problem, [&](std::error_code &code) { return fs::space(folder, code); });
     return problem ? DiskSpace() : DiskSpace{space.available, space.capacity};
 }
 
@@ -164,7 +169,8 @@ std::vector<std::string> namesIn(const fs::path &folder, std::error_code &proble
     return names;
 }
 
-void eachFileBelow(const fs::path &folder, const std::function<bool(const fs::path &)> &visit, std::error_code &problem)
+void eachFileBelow(const fs::path &folder, const std::function<bool(const fs::path &)> &visit,
+                   std::error_code &problem)
 {
     std::vector<fs::path> folders{folder};
     std::error_code *heard = &problem, left;

@@ -8,10 +8,11 @@
 #include <system_error>
 #include <vector>
 
-/// What the program asks of the file system. Nothing here throws what std::filesystem throws: a path that is too long, a folder that
-/// may not be entered, a loop of links or a working directory that is gone gives a plain answer, and where `problem` is asked for, the
-/// system's reason (cleared where there is none). Where memory is refused std::bad_alloc is thrown. Any thread.
-/// tests/base/tst_file_system_calls refuses calls of std::filesystem anywhere else.
+/// What the program asks of the file system. Nothing here throws what std::filesystem throws: a path that is
+/// too long, a folder that may not be entered, a loop of links or a working directory that is gone gives a
+/// plain answer, and where `problem` is asked for, the system's reason (cleared where there is none). Where
+/// memory is refused std::bad_alloc is thrown. Any thread. tests/base/tst_file_system_calls refuses calls of
+/// std::filesystem anywhere else.
 namespace odo::files {
 
 enum class Kind { Missing, File, Folder, Link, Pipe, Socket, Device };
@@ -34,7 +35,8 @@ bool isSame(const std::filesystem::path &a, const std::filesystem::path &b);
 std::uintmax_t sizeOf(const std::filesystem::path &file, std::error_code &problem);
 struct DiskSpace
 {
-    std::uintmax_t freeBytes = 0, bytes = 0; ///< what this user may still write, and the size of the whole disk
+    /// what this user may still write, and the size of the whole disk
+    std::uintmax_t freeBytes = 0, bytes = 0;
 };
 /// Of the disk that a folder is on.
 DiskSpace diskSpace(const std::filesystem::path &folder, std::error_code &problem);
@@ -42,20 +44,21 @@ std::filesystem::file_time_type lastWritten(const std::filesystem::path &file, s
 
 /// From the root; as it was given where the working directory is gone.
 std::filesystem::path absolute(const std::filesystem::path &path);
-/// From the root, through all links as far as the path exists; as absolute() gives it where that cannot be told.
+/// From the root, through all links as far as the path exists; as absolute() gives it where that cannot be
+/// told.
 std::filesystem::path realPath(const std::filesystem::path &path);
 std::filesystem::path realPath(const std::filesystem::path &path, std::error_code &problem);
 /// Where a link leads, as it was written; empty with a problem.
 std::filesystem::path linkTarget(const std::filesystem::path &link, std::error_code &problem);
 
-/// The names of all that lies in a folder, but "." and "..", in no order. problem: why it could not be read to its end; what was read
-/// until then is given. std::filesystem's iterators end the program where memory is refused: libstdc++ 12 puts their paths
-/// together in a function that is noexcept.
+/// The names of all that lies in a folder, but "." and "..", in no order. problem: why it could not be read
+/// to its end; what was read until then is given. std::filesystem's iterators end the program where memory is
+/// refused: libstdc++ 12 puts their paths together in a function that is noexcept.
 std::vector<std::string> namesIn(const std::filesystem::path &folder, std::error_code &problem);
-/// Calls visit for each file below a folder until it returns false. Links are followed to files only; what may not be read below the
-/// folder is left out.
-void eachFileBelow(const std::filesystem::path &folder, const std::function<bool(const std::filesystem::path &)> &visit,
-                   std::error_code &problem);
+/// Calls visit for each file below a folder until it returns false. Links are followed to files only; what
+/// may not be read below the folder is left out.
+void eachFileBelow(const std::filesystem::path &folder,
+                   const std::function<bool(const std::filesystem::path &)> &visit, std::error_code &problem);
 
 /// With the folders above it. Whether there was none before.
 bool makeFolders(const std::filesystem::path &folder, std::error_code &problem);

@@ -9,8 +9,9 @@ struct evp_md_ctx_st;
 
 namespace odo {
 
-/// SHA-256 (FIPS 180-4) by OpenSSL, which uses the processor's own instructions where it has them: files are then hashed as
-/// fast as a disk gives them, which Qt's and libav's do not reach. One object on one thread at a time.
+/// SHA-256 (FIPS 180-4) by OpenSSL, which uses the processor's own instructions where it has them: files are
+/// then hashed as fast as a disk gives them, which Qt's and libav's do not reach. One object on one thread at
+/// a time.
 class Sha256
 {
 public:

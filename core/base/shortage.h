@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <thread>
@@ -10,8 +11,8 @@
 
 namespace odo {
 
-/// What to do when this computer has run out of memory, threads or open files: the standard library throws, and
-/// here that becomes an Error, code Unavailable, before it can end the program. Any thread.
+/// What to do when this computer has run out of memory, threads or open files: the standard library throws,
+/// and here that becomes an Error, code Unavailable, before it can end the program. Any thread.
 
 /// What a job is told as that ends by a shortage.
 inline constexpr const char *cannotDoThis = "cannot do this";
@@ -19,14 +20,16 @@ inline constexpr const char *cannotDoThis = "cannot do this";
 /// What to do then.
 inline constexpr const char *shortageAdvice = "what was saved is safe; close other programs and try again";
 
-/// Within a handler: the Error of a shortage that is being handled, or of any other exception, code Internal, with its own words.
+/// Within a handler: the Error of a shortage that is being handled, or of any other exception, code Internal,
+/// with its own words.
 Error shortageNow(std::string what);
 
 /// That there is no thread to be had, where something else than the standard library found out.
 Error noThread(std::string what);
 
 /// Does work that gives a Result; an exception in it is its Error.
-template <class Work> std::invoke_result_t<Work &> orShortage(const std::string &what, Work &&work)
+template <class Work>
+std::invoke_result_t<Work &> orShortage(const std::string &what, Work &&work)
 {
     try {
         return work();
@@ -35,14 +38,40 @@ template <class Work> std::invoke_result_t<Work &> orShortage(const std::string 
     }
 }
 
-/// A new thread that does the work, or why there is none. What the work throws ends the program (last_resort.h).
-template <class Work> Result<std::thread> startThread(const std::string &what, Work &&work)
+/// A new thread that does the work, or why there is none. What the work throws ends the program
+/// (last_resort.h).
+template <class Work>
+Result<std::thread> startThread(const std::string &what, Work &&work)
 {
     return orShortage(what, [&]() -> Result<std::thread> { return std::thread(std::forward<Work>(work)); });
 }
 
-/// Does the work of each of so many parts side by side, on as many threads as there are to be had; on the caller's
-/// where there are none. Returns when all are done; what one of them threw is thrown on here.
+/// Does the work of each of so many parts side by side, on as many threads as there are to be had; on the
+/// caller's where there are none. Returns when all are done; what one of them threw is thrown on here.
 void sideBySide(std::size_t parts, const std::function<void(std::size_t)> &work);
+
+/// What is left to do where memory, threads or open files have run out and nothing else has dealt with it:
+/// libraries end the program then, by an exception in one of their threads, by abort() or by a null pointer.
+/// It ends with one line and status 1 instead, and no crash is reported, for it is none. Any thread.
+
+/// Within a handler: why this computer could not give what was asked of it; null where another exception is
+/// handled.
+const char *shortageBeingHandled() noexcept;
+
+/// Asks the system now whether it still gives memory, files and processes: why not, or null. Safe in a signal
+/// handler.
+const char *shortageNowOfSystem() noexcept;
+
+/// Writes the one line and ends the program with status 1. Nothing is put away, no memory is asked for. Safe
+/// in a signal handler.
+[[noreturn]] void endForShortage(const char *why) noexcept;
+
+/// Ends it so where not so many more files may be opened, of 64 at most: before a library would tell of it in
+/// lines of its own.
+void needFiles(std::size_t count) noexcept;
+
+/// From now on a shortage that nobody catches ends the program so. Any other such exception aborts it, as
+/// ever, after a line that names it. Once, at the beginning of the program.
+void catchWhatNobodyCatches();
 
 } // namespace odo

@@ -9,11 +9,17 @@ namespace odo {
 
 namespace {
 
-std::string quoted(std::string_view text) { return '\'' + std::string(text.substr(0, 40)) + '\''; }
+std::string quoted(std::string_view text)
+{
+    return '\'' + std::string(text.substr(0, 40)) + '\'';
+}
 
 } // namespace
 
-Nanoseconds fromSeconds(double seconds) { return Nanoseconds(std::llround(seconds * 1e9)); }
+Nanoseconds fromSeconds(double seconds)
+{
+    return Nanoseconds(std::llround(seconds * 1e9));
+}
 
 Result<double> parseNumber(std::string_view text)
 {
@@ -34,7 +40,10 @@ std::string formatNumber(double value, int decimals)
     return std::string(text, end);
 }
 
-std::string secondsText(double seconds, int decimals) { return formatNumber(seconds, decimals) + " s"; }
+std::string secondsText(double seconds, int decimals)
+{
+    return formatNumber(seconds, decimals) + " s";
+}
 
 Result<double> parseLengthM(std::string_view text)
 {

@@ -10,18 +10,29 @@
 
 namespace odo {
 
-/// Time everywhere inside: a count of nanoseconds. What event it stamps and from which zero is said where it is kept.
+/// Time everywhere inside: a count of nanoseconds. What event it stamps and from which zero is said where it
+/// is kept.
 using Nanoseconds = std::chrono::nanoseconds;
 
-constexpr double toSeconds(Nanoseconds t) { return static_cast<double>(t.count()) * 1e-9; }
+constexpr double toSeconds(Nanoseconds t)
+{
+    return static_cast<double>(t.count()) * 1e-9;
+}
 /// Rounds to the nearest nanosecond.
 Nanoseconds fromSeconds(double seconds);
 
 constexpr double millimetresPerMetre = 1000.0;
-constexpr double toMillimetres(double metres) { return metres * millimetresPerMetre; }
-constexpr double fromMillimetres(double millimetres) { return millimetres / millimetresPerMetre; }
+constexpr double toMillimetres(double metres)
+{
+    return metres * millimetresPerMetre;
+}
+constexpr double fromMillimetres(double millimetres)
+{
+    return millimetres / millimetresPerMetre;
+}
 
-/// Reads a whole text as a finite decimal number, independent of the locale. nullopt-like Error where it is none.
+/// Reads a whole text as a finite decimal number, independent of the locale. nullopt-like Error where it is
+/// none.
 Result<double> parseNumber(std::string_view text);
 
 /// Writes a number with so many decimals, with a point whatever the locale.
@@ -30,7 +41,8 @@ std::string formatNumber(double value, int decimals);
 /// "2.50 s", for sentences.
 std::string secondsText(double seconds, int decimals = 2);
 
-/// Reads a length as the command line promises: "25mm", "2.5cm", "0.3m"; a bare number is millimetres. Gives metres.
+/// Reads a length as the command line promises: "25mm", "2.5cm", "0.3m"; a bare number is millimetres. Gives
+/// metres.
 Result<double> parseLengthM(std::string_view text);
 
 /// A colour in sRGB, 8 bits a channel.
@@ -44,5 +56,14 @@ struct RgbColour
 
 /// Reads "#rrggbb".
 Result<RgbColour> parseColour(std::string_view text);
+
+/// A stretch of time, both ends included; begin ≤ end.
+struct TimeSpan
+{
+    Nanoseconds begin{0}, end{0};
+
+    bool contains(Nanoseconds time) const { return time >= begin && time <= end; }
+    bool operator==(const TimeSpan &) const = default;
+};
 
 } // namespace odo

@@ -2,14 +2,17 @@
 #include "core/calibration/accuracy_map.h"
 
 #include "core/base/units.h"
-#include "core/calibration/plane_pose.h"
-#include "core/calibration/wording.h"
+#include "core/calibration/internal/plane_pose.h"
+#include "core/calibration/internal/wording.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <tuple>
 
 namespace odo {
 
@@ -21,7 +24,8 @@ using Eigen::Vector3d;
 
 bool isInPicture(const Vector2d &pixel, const Intrinsics &lens)
 {
-    return pixel.x() >= -0.5 && pixel.y() >= -0.5 && pixel.x() <= lens.widthPx - 0.5 && pixel.y() <= lens.heightPx - 0.5;
+    return pixel.x() >= -0.5 && pixel.y() >= -0.5 && pixel.x() <= lens.widthPx - 0.5 &&
+           pixel.y() <= lens.heightPx - 0.5;
 }
 
 std::optional<Matrix2d> covarianceAt(const FloorView &view, const Vector3d &place, double sigmaPx)
@@ -46,7 +50,8 @@ tl::unexpected<Error> noCamera(std::string why, std::string advice)
 }
 
 /// What a registration by these markers would leave of the pose: σ²(JᵀJ)⁻¹.
-Result<Eigen::Matrix<double, 6, 6>> poseCovariance(const FloorView &view, const MarkerLayout &layout, double sigmaPx)
+Result<Eigen::Matrix<double, 6, 6>> poseCovariance(const FloorView &view, const MarkerLayout &layout,
+                                                   double sigmaPx)
 {
     std::vector<PointPair> pairs;
     std::vector<std::string> seen;
@@ -58,12 +63,13 @@ Result<Eigen::Matrix<double, 6, 6>> poseCovariance(const FloorView &view, const 
         seen.push_back(marker.label);
     }
     if (seen.size() < 4)
-        return noCamera("from there it would see " + std::to_string(seen.size()) + " of the layout's markers (" +
-                            listed(seen) + "), four are needed",
+        return noCamera("from there it would see " + std::to_string(seen.size()) +
+                            " of the layout's markers (" + listed(seen) + "), four are needed",
                         "move it back or up, or choose a wider lens");
     const auto pose = fitPlanePose(pairs, view.camera(), FocalLength::Known);
     if (!pose)
-        return noCamera("the markers that it would see do not hold it: " + pose.error().why, pose.error().advice);
+        return noCamera("the markers that it would see do not hold it: " + pose.error().why,
+                        pose.error().advice);
     return Eigen::Matrix<double, 6, 6>(sigmaPx * sigmaPx * pose->inverseNormal);
 }
 
@@ -87,10 +93,12 @@ FloorGrid gridOver(const MarkerLayout &layout, double marginM, int mostAcross)
     return grid;
 }
 
-AccuracyMap accuracyMap(std::span<const FloorView> views, const FloorGrid &grid, double sigmaPx, double heightM)
+AccuracyMap accuracyMap(std::span<const FloorView> views, const FloorGrid &grid, double sigmaPx,
+                        double heightM)
 {
     constexpr double unseen = std::numeric_limits<double>::quiet_NaN();
-    const std::size_t places = static_cast<std::size_t>(std::max(0, grid.columns)) * static_cast<std::size_t>(std::max(0, grid.rows));
+    const std::size_t places = static_cast<std::size_t>(std::max(0, grid.columns)) *
+                               static_cast<std::size_t>(std::max(0, grid.rows));
     AccuracyMap map{grid, std::vector<std::vector<double>>(views.size(), std::vector<double>(places, unseen)),
                     std::vector<double>(places, unseen)};
     for (int row = 0; row < grid.rows; ++row) {
@@ -128,17 +136,22 @@ void PlannedCamera::standAt(const Vector2d &footM)
 Result<FloorView> plannedView(const PlannedCamera &camera, const MarkerLayout &layout, double sigmaPx)
 {
     if (!(camera.heightM >= 0.05 && camera.heightM <= 100))
-        return noCamera("it cannot stand " + formatNumber(camera.heightM, 2) + " m above the floor", "give a height of 0.05 m to 100 m");
+        return noCamera("it cannot stand " + formatNumber(camera.heightM, 2) + " m above the floor",
+                        "give a height of 0.05 m to 100 m");
     if (!(camera.distanceM >= 0 && camera.distanceM <= 1000))
-        return noCamera("it cannot stand " + formatNumber(camera.distanceM, 2) + " m away", "give a distance of 0 m to 1000 m");
-    if (!(camera.fieldOfViewDegrees >= 2 && camera.fieldOfViewDegrees <= 150) || camera.widthPx <= 0 || camera.heightPx <= 0)
-        return noCamera("its field of view is " + formatNumber(camera.fieldOfViewDegrees, 1) + "°", "give 2° to 150°, and the size of its pictures");
+        return noCamera("it cannot stand " + formatNumber(camera.distanceM, 2) + " m away",
+                        "give a distance of 0 m to 1000 m");
+    if (!(camera.fieldOfViewDegrees >= 2 && camera.fieldOfViewDegrees <= 150) || camera.widthPx <= 0 ||
+        camera.heightPx <= 0)
+        return noCamera("its field of view is " + formatNumber(camera.fieldOfViewDegrees, 1) + "°",
+                        "give 2° to 150°, and the size of its pictures");
     const double direction = camera.directionDegrees * EIGEN_PI / 180;
     const Vector2d away(std::cos(direction), std::sin(direction));
     const Vector2d foot = camera.footM();
     const Vector3d place(foot.x(), foot.y(), camera.heightM);
     const Vector3d forward = (Vector3d(camera.aimM.x(), camera.aimM.y(), 0) - place).normalized();
-    // Along the floor, so that the picture is upright; straight down it has no up, and the direction gives one.
+    // Along the floor, so that the picture is upright; straight down it has no up, and the direction gives
+    // one.
     const Vector3d right(-away.y(), away.x(), 0);
     Eigen::Matrix3d axes;
     axes << right, forward.cross(right), forward;
@@ -152,6 +165,206 @@ Result<FloorView> plannedView(const PlannedCamera &camera, const MarkerLayout &l
     if (!covariance)
         return tl::unexpected(covariance.error());
     return FloorView(*model, exact.worldFromCamera(), *covariance);
+}
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double nearABorder = 0.15; // of the extent
+
+std::string whereOf(const Vector2d &place, const Vector2d &lower, const Vector2d &upper,
+                    const MarkerLayout &layout)
+{
+    const auto nearest = std::ranges::min_element(
+        layout.markers, {}, [&](const Marker &marker) { return (marker.pointInWorld - place).norm(); });
+    const auto isAtBorder = [&](int axis) {
+        const double room = nearABorder * (upper[axis] - lower[axis]);
+        return place[axis] < lower[axis] + room || place[axis] > upper[axis] - room;
+    };
+    const int borders = int(isAtBorder(0)) + int(isAtBorder(1));
+    return std::string(borders == 2   ? "in the corner near "
+                       : borders == 1 ? "at the edge near "
+                                      : "near ") +
+           nearest->label;
+}
+
+} // namespace
+
+AccuracySummary summariseAccuracy(const FloorGrid &grid, const std::vector<double> &sigmaM,
+                                  const MarkerLayout &layout)
+{
+    constexpr double unseen = std::numeric_limits<double>::quiet_NaN();
+    AccuracySummary summary{unseen, unseen, 0, "None of the floor among the markers is seen."};
+    if (layout.markers.empty())
+        return summary;
+    Vector2d lower = layout.markers.front().pointInWorld, upper = lower, worst = lower;
+    for (const Marker &marker : layout.markers) {
+        lower = lower.cwiseMin(marker.pointInWorld);
+        upper = upper.cwiseMax(marker.pointInWorld);
+    }
+    const Vector2d middle = 0.5 * (lower + upper), slack = Vector2d::Constant(0.5 * grid.stepM);
+    double fromMiddle = std::numeric_limits<double>::infinity();
+    int places = 0, seen = 0;
+    for (int row = 0; row < grid.rows; ++row) {
+        for (int column = 0; column < grid.columns; ++column) {
+            const Vector2d place = grid.at(column, row);
+            if (((place - lower).array() < -slack.array()).any() ||
+                ((place - upper).array() > slack.array()).any())
+                continue;
+            const double sigma = sigmaM[grid.index(column, row)];
+            ++places;
+            if ((place - middle).norm() < fromMiddle) {
+                fromMiddle = (place - middle).norm();
+                summary.middleM = sigma;
+            }
+            if (std::isnan(sigma))
+                continue;
+            ++seen;
+            if (!(sigma <= summary.worstM)) {
+                summary.worstM = sigma;
+                worst = place;
+            }
+        }
+    }
+    if (seen == 0)
+        return summary;
+    summary.seenPart = double(seen) / places;
+    summary.words = std::isnan(summary.middleM)
+                        ? "The middle is not seen"
+                        : std::string("±") + millimetres(summary.middleM) + " in the middle";
+    summary.words +=
+        std::string(", ±") + millimetres(summary.worstM) + " " + whereOf(worst, lower, upper, layout) + ".";
+    if (seen < places)
+        summary.words += ' ' + formatNumber(std::max(1.0, 100 * (1 - summary.seenPart)), 0) +
+                         " % of the floor among the markers is not seen.";
+    return summary;
+}
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr int placesAcross = 13, gridAcross = 12, rounds = 4;
+constexpr double aims[] = {-0.2, 0, 0.2}; // of the extent, from the middle towards the camera
+
+struct Score
+{
+    int unseen = std::numeric_limits<int>::max();
+    double worstM = std::numeric_limits<double>::infinity();
+    bool operator<(const Score &other) const
+    {
+        return std::tie(unseen, worstM) < std::tie(other.unseen, other.worstM);
+    }
+};
+
+class Searcher
+{
+public:
+    Searcher(const PlannedCamera &like, const MarkerLayout &layout, std::span<const FloorView> others,
+             const PlaceSearch &search)
+        : m_like(like), m_layout(layout), m_search(search), m_views(others.begin(), others.end()),
+          m_grid(gridOver(layout, 0, gridAcross))
+    {
+        for (const Marker &marker : layout.markers)
+            m_floor.extend(marker.pointInWorld);
+    }
+
+    /// Tries every place of a square of so many places about a point.
+    void tryAbout(const Vector2d &middle, const Vector2d &halfSize, int across)
+    {
+        for (int i = 0; i < across * across; ++i) {
+            const int row = i / across;
+            const Vector2d share(2.0 * (i % across) / (across - 1) - 1, 2.0 * row / (across - 1) - 1);
+            tryPlace(middle + halfSize.cwiseProduct(share));
+        }
+    }
+    const Eigen::AlignedBox2d &floor() const { return m_floor; }
+    const std::optional<PlannedCamera> &best() const { return m_best; }
+
+private:
+    void tryPlace(const Vector2d &foot)
+    {
+        Eigen::AlignedBox2d room(m_floor.min() - Vector2d::Constant(m_search.reachM),
+                                 m_floor.max() + Vector2d::Constant(m_search.reachM));
+        if (!room.contains(foot) || (!m_search.aboveTheFloor && m_floor.contains(foot)))
+            return;
+        const Vector2d middle = m_floor.center(), towards = foot - middle;
+        for (const double aim : aims) {
+            PlannedCamera camera = m_like;
+            camera.aimM = middle;
+            if (towards.norm() > 0)
+                camera.aimM += aim * m_floor.sizes().minCoeff() * towards.normalized();
+            camera.standAt(foot);
+            judge(camera);
+        }
+    }
+
+    void judge(const PlannedCamera &camera)
+    {
+        auto view = plannedView(camera, m_layout);
+        if (!view)
+            return;
+        m_views.push_back(std::move(*view));
+        const AccuracyMap map = accuracyMap(m_views, m_grid, m_search.sigmaPx, m_search.robotHeightM);
+        m_views.pop_back();
+        Score score{0, 0};
+        for (const double sigma : map.fusedSigmaM) {
+            score.unseen += std::isnan(sigma);
+            score.worstM = std::isnan(sigma) ? score.worstM : std::max(score.worstM, sigma);
+        }
+        if (score < m_bestScore) {
+            m_bestScore = score;
+            m_best = camera;
+        }
+    }
+
+    const PlannedCamera &m_like;
+    const MarkerLayout &m_layout;
+    const PlaceSearch &m_search;
+    std::vector<FloorView> m_views;
+    FloorGrid m_grid;
+    Eigen::AlignedBox2d m_floor;
+    std::optional<PlannedCamera> m_best;
+    Score m_bestScore;
+};
+
+} // namespace
+
+Result<PlannedCamera> bestPlace(const PlannedCamera &like, const MarkerLayout &layout,
+                                std::span<const FloorView> others, const PlaceSearch &search,
+                                const JobControl &control)
+{
+    const std::string what = "the best place for a camera";
+    Searcher searcher(like, layout, others, search);
+    if (layout.markers.size() < 4)
+        return fail(ErrorCode::InvalidInput, what,
+                    "the layout has " + std::to_string(layout.markers.size()) + " markers, four are needed",
+                    "make a layout of four markers or more");
+    Vector2d halfSize = 0.5 * searcher.floor().sizes() + Vector2d::Constant(search.reachM);
+    searcher.tryAbout(searcher.floor().center(), halfSize, placesAcross);
+    for (int round = 0; round < rounds && searcher.best(); ++round) {
+        if (control.isCancelled())
+            return cancelled(what);
+        control.report(double(round + 1) / (rounds + 1), "looking about the best place");
+        halfSize *= round == 0 ? 1.5 / (placesAcross - 1) : 0.5;
+        searcher.tryAbout(searcher.best()->footM(), halfSize, 5);
+    }
+    if (control.isCancelled())
+        return cancelled(what);
+    if (searcher.best())
+        return *searcher.best();
+    // Why not even the plainest place will do tells more than that none will.
+    PlannedCamera plain = like;
+    plain.aimM = searcher.floor().center();
+    plain.standAt(plain.aimM - Vector2d(0, 0.5 * searcher.floor().sizes().y() + search.reachM));
+    if (const auto view = plannedView(plain, layout);
+        !view && view.error().why.find("it would see") == std::string::npos)
+        return tl::unexpected(view.error());
+    return fail(ErrorCode::Undetermined, what,
+                "from nowhere within " + formatNumber(search.reachM, 1) +
+                    " m beyond the markers would it see four of them at the height and with the lens given",
+                "let it stand higher or farther away, or choose a wider lens");
 }
 
 } // namespace odo

@@ -15,7 +15,10 @@ constexpr Nanoseconds stillFor = std::chrono::milliseconds(500);
 constexpr double stillPart = 0.004; // of the picture's width
 constexpr double sharpOfSpacing = 0.25;
 
-std::string whole(double value) { return formatNumber(value, 0); }
+std::string whole(double value)
+{
+    return formatNumber(value, 0);
+}
 
 Error refusal(const std::string &source, std::string why, std::string advice)
 {
@@ -26,11 +29,14 @@ std::optional<Error> faultOf(const CollectedPicture &picture)
 {
     const std::string &source = picture.view.source;
     if (picture.placement.angleDegrees() > mostObliqueDegrees)
-        return refusal(source, "the board is seen too obliquely, at " + whole(picture.placement.angleDegrees()) + " degrees",
+        return refusal(source,
+                       "the board is seen too obliquely, at " + whole(picture.placement.angleDegrees()) +
+                           " degrees",
                        "tilt it by 30 to 45 degrees");
     if (picture.placement.size < leastSize)
-        return refusal(source, "the board is too small: it fills " + whole(100 * picture.placement.size * picture.placement.size) +
-                                   " % of the picture",
+        return refusal(source,
+                       "the board is too small: it fills " +
+                           whole(100 * picture.placement.size * picture.placement.size) + " % of the picture",
                        "hold it closer to the camera");
     return std::nullopt;
 }
@@ -54,8 +60,10 @@ PictureAnswer BoardCollector::look(const Frame &frame, const std::string &source
         m_heightPx = frame.format.height;
     }
     if (frame.format.width != m_widthPx || frame.format.height != m_heightPx) {
-        answer.refusal = refusal(source, "it is " + std::to_string(frame.format.width) + "×" + std::to_string(frame.format.height) +
-                                             ", the first picture " + std::to_string(m_widthPx) + "×" + std::to_string(m_heightPx),
+        answer.refusal = refusal(source,
+                                 "it is " + std::to_string(frame.format.width) + "×" +
+                                     std::to_string(frame.format.height) + ", the first picture " +
+                                     std::to_string(m_widthPx) + "×" + std::to_string(m_heightPx),
                                  "use pictures of one camera at one resolution");
         return answer;
     }
@@ -66,7 +74,8 @@ PictureAnswer BoardCollector::look(const Frame &frame, const std::string &source
     }
     const auto placement = placementOf(*view, m_widthPx, m_heightPx);
     if (!placement) {
-        answer.refusal = refusal(source, "the corners do not lie as on a flat board", "glue the board onto something stiff and flat");
+        answer.refusal = refusal(source, "the corners do not lie as on a flat board",
+                                 "glue the board onto something stiff and flat");
         return answer;
     }
     answer.picture = CollectedPicture{std::move(*view), *placement};
@@ -120,14 +129,17 @@ PictureAnswer BoardCollector::watch(const Frame &frame, const std::string &sourc
     const bool still = isStill(*answer.picture, frame.time);
     for (const CollectedPicture &there : m_pictures) {
         if (distanceOf(there.placement, answer.picture->placement) < leastNews) {
-            answer.refusal = refusal(source, "the board stands as in a picture already taken", "move it elsewhere, turn it or tilt it");
+            answer.refusal = refusal(source, "the board stands as in a picture already taken",
+                                     "move it elsewhere, turn it or tilt it");
             return answer;
         }
     }
     if (!still)
         return answer;
     if (answer.picture->view.edgeWidthPx > sharpOfSpacing * spacingPx(*answer.picture)) {
-        answer.refusal = refusal(source, "the board is not sharp: its edges are " + whole(answer.picture->view.edgeWidthPx) + " pixels wide",
+        answer.refusal = refusal(source,
+                                 "the board is not sharp: its edges are " +
+                                     whole(answer.picture->view.edgeWidthPx) + " pixels wide",
                                  "focus the camera, or give more light");
         return answer;
     }

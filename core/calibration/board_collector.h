@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/units.h"
-#include "core/calibration/board_coverage.h"
+#include "core/calibration/board_placement.h"
 
 #include <optional>
 #include <string>
@@ -21,13 +21,15 @@ struct CollectedPicture
 struct PictureAnswer
 {
     bool kept = false;
-    std::optional<Error> refusal;            ///< why it does not count; none while waiting for the board to be still
+    /// why it does not count; none while waiting for the board to be still
+    std::optional<Error> refusal;
     std::optional<CollectedPicture> picture; ///< the board, where it was found, kept or not
 };
 
-/// Gathers pictures of one board until they are enough for a calibration. Refuses, with the reason: no board, another
-/// size, blurred, cut off (findBoard); too oblique, too small, another picture size, the same pose again.
-/// What the first board turned out to be (pattern, size) holds for those after it. One thread at a time.
+/// Gathers pictures of one board until they are enough for a calibration. Refuses, with the reason: no board,
+/// another size, blurred, cut off (findBoard); too oblique, too small, another picture size, the same pose
+/// again. What the first board turned out to be (pattern, size) holds for those after it. One thread at a
+/// time.
 class BoardCollector
 {
 public:
@@ -35,8 +37,8 @@ public:
 
     /// A picture that a person chose.
     PictureAnswer offer(const Frame &frame, const std::string &source);
-    /// A picture of a stream: kept by itself once the board was still for half a second by the frames' own time, is
-    /// sharp, and stands as none before. Frame times must grow.
+    /// A picture of a stream: kept by itself once the board was still for half a second by the frames' own
+    /// time, is sharp, and stands as none before. Frame times must grow.
     PictureAnswer watch(const Frame &frame, const std::string &source);
 
     const std::vector<CollectedPicture> &pictures() const { return m_pictures; }

@@ -17,10 +17,10 @@ enum class BoardPattern { Checkerboard, Charuco };
 struct BoardSpec
 {
     std::optional<BoardPattern> pattern; ///< nullopt: find out
-    int columns = 0, rows = 0;    ///< 0: find out
+    int columns = 0, rows = 0;           ///< 0: find out
     double squareM = 0.025;
-    double markerRatio = 0.5;     ///< ChArUco: marker side / square side
-    std::string dictionary;       ///< ChArUco: e.g. "DICT_6X6_250"; empty: find out
+    double markerRatio = 0.5; ///< ChArUco: marker side / square side
+    std::string dictionary;   ///< ChArUco: e.g. "DICT_6X6_250"; empty: find out
 };
 
 /// With fewer corners a view tells nothing of a lens.
@@ -34,7 +34,8 @@ struct BoardView
     std::vector<Eigen::Vector2d> pixels;
     std::vector<Eigen::Vector2d> pointsOnBoard;
     BoardPattern pattern = BoardPattern::Checkerboard;
-    double edgeWidthPx = 0; ///< from 10 to 90 % of an edge's step, the upper quartile; 0 where it is not measured
+    /// from 10 to 90 % of an edge's step, the upper quartile; 0 where it is not measured
+    double edgeWidthPx = 0;
 };
 
 /// Half the widest window in which a corner is refined, pixels.
@@ -43,8 +44,8 @@ inline constexpr int widestCornerWindowPx = 11;
 /// Why a picture shows no board that can be used: Undetermined.
 tl::unexpected<Error> refuseBoard(const std::string &source, std::string why, std::string advice);
 
-/// Looks for the board in the luma plane. Error Undetermined with the reason: none found, another size found, too
-/// blurred, cut off.
+/// Looks for the board in the luma plane. Error Undetermined with the reason: none found, another size found,
+/// too blurred, cut off.
 Result<BoardView> findBoard(const Frame &frame, const BoardSpec &spec, const std::string &source);
 
 } // namespace odo

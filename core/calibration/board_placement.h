@@ -5,19 +5,22 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 namespace odo {
 
 /// How a board stands in a picture, in figures that need no lens: from its homography alone.
 struct BoardPlacement
 {
-    /// The outermost inner corners that were seen, in the board's order (first, along x, opposite, along y). Luma pixels.
+    /// The outermost inner corners that were seen, in the board's order (first, along x, opposite, along y).
+    /// Luma pixels.
     std::array<Eigen::Vector2d, 4> outline{};
     /// Of the middle: 0 to 1 between the edges of the picture, as far as a board of this size can go.
     Eigen::Vector2d place = Eigen::Vector2d::Zero();
     double size = 0; ///< root of the outline's area over the picture's: 0 to 1
-    /// The board's slope: its length is the angle between the board and a frontal one over 45°, from the foreshortening
-    /// at its middle (cos of the angle); it points to where the board is farther away, x right, y down.
+    /// The board's slope: its length is the angle between the board and a frontal one over 45°, from the
+    /// foreshortening at its middle (cos of the angle); it points to where the board is farther away, x
+    /// right, y down.
     Eigen::Vector2d slope = Eigen::Vector2d::Zero();
 
     double skew() const { return slope.norm(); }
@@ -29,5 +32,58 @@ std::optional<BoardPlacement> placementOf(const BoardView &view, int widthPx, in
 
 /// How different two placements are: the sum of the differences of place, size and slope.
 double distanceOf(const BoardPlacement &one, const BoardPlacement &other);
+
+/// How much of what a calibration needs its pictures already have.
+struct BoardCoverage
+{
+    static constexpr int across = 8, down = 6; ///< fields of the picture
+
+    /// 0 to 1 each: across the picture, down it, near, tilted. Full at 0.7 of the width and height, when the
+    /// board once filled 0.4 of the picture (by its side), and when it was tilted by half of 45° to two sides
+    /// that differ.
+    double x = 0, y = 0, size = 0, skew = 0;
+    std::array<int, across * down> corners{}; ///< seen in each field, row by row
+    int pictures = 0;
+
+    double coveredPart() const; ///< of the fields
+    /// All four are full, half of the fields have corners, and there are ten pictures; or there are forty.
+    bool isEnough() const;
+};
+
+/// The spans that are wanted are those that ROS's camera_calibration found to be enough (its source, 2008 to
+/// 2024).
+BoardCoverage coverageOf(const std::vector<BoardView> &views, const std::vector<BoardPlacement> &placements,
+                         int widthPx, int heightPx);
+
+/// What a person should do with the board next.
+enum class BoardHint {
+    Left,
+    Right,
+    Up,
+    Down,
+    Closer,
+    Farther,
+    TiltLeft,
+    TiltRight,
+    TiltUp,
+    TiltDown,
+    HoldStill
+};
+
+/// A pose of the board that would add most to the pictures there are.
+struct WantedPose
+{
+    BoardPlacement placement; ///< with the outline to draw
+};
+
+/// Of a fixed set of poses (all over the picture, near and far, tilted to each side) the one that is least
+/// like any taken; among equals the plainest first. columns and rows: of the board's inner corners, for the
+/// shape of the outline.
+WantedPose wantedPose(const std::vector<BoardPlacement> &taken, int columns, int rows, int widthPx,
+                      int heightPx);
+
+/// The largest step from where the board is to where it is wanted. HoldStill: it is there.
+/// TiltLeft: the left side away from the camera; TiltUp: the upper side away from it.
+BoardHint hintTowards(const WantedPose &wanted, const BoardPlacement &now);
 
 } // namespace odo

@@ -2,10 +2,9 @@
 #include "core/calibration/chained_registration.h"
 
 #include "core/base/units.h"
-#include "core/calibration/plane_pose.h"
-#include "core/calibration/wording.h"
+#include "core/calibration/internal/plane_pose.h"
+#include "core/calibration/internal/wording.h"
 #include "core/geometry/homography.h"
-#include "core/geometry/point_layout.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>

@@ -2,12 +2,10 @@
 #include "core/calibration/floor_registration.h"
 
 #include "core/base/units.h"
+#include "core/calibration/internal/plane_pose.h"
+#include "core/calibration/internal/wording.h"
 #include "core/calibration/lens_influence.h"
-#include "core/calibration/mark_noise.h"
-#include "core/calibration/marker_order.h"
-#include "core/calibration/plane_pose.h"
-#include "core/calibration/wording.h"
-#include "core/geometry/point_layout.h"
+#include "core/geometry/homography.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,11 +28,12 @@ constexpr double carefulPx = 0.4;        // RMS of markers seen to 0.3 px and me
 constexpr double otherOrderFits = 0.005; // of the markers' extent in the picture
 constexpr double worstMisfit = 0.01;     // of the same: no plane
 constexpr double worstSigma = 0.02;      // of the layout's extent on the floor
-// Four markers leave two residuals, five leave four: so little that one put quite wrongly may fit a wrong pose to a
-// hundredth of the layout. What tells it then is how careful people are: a pixel, and 2 mm and half a millimetre a metre by
-// a tape. For such errors the sum of the squares of four markers is χ² of two degrees of freedom: one in fifty lies beyond 8,
-// where the program snaps to the marker hardly any; of five it has four, and nobody careful comes to 40. Of two million drawn
-// layouts with a fault, those that passed all else had 9.5 and more, and 100.
+// Four markers leave two residuals, five leave four: so little that one put quite wrongly may fit a wrong
+// pose to a hundredth of the layout. What tells it then is how careful people are: a pixel, and 2 mm and half
+// a millimetre a metre by a tape. For such errors the sum of the squares of four markers is χ² of two degrees
+// of freedom: one in fifty lies beyond 8, where the program snaps to the marker hardly any; of five it has
+// four, and nobody careful comes to 40. Of two million drawn layouts with a fault, those that passed all else
+// had 9.5 and more, and 100.
 constexpr double carefulMarkPx = 1, carefulTapeM = 0.002, carefulTapeShare = 0.0005;
 constexpr double worstSumOfFour = 8, worstSumOfFive = 40;
 
@@ -272,8 +271,9 @@ Result<void> measureMarkers(const std::vector<PointPair> &pairs, const FloorView
     return {};
 }
 
-/// The sum of the squares of the markers' errors, each by what a careful person may leave in the picture and on the
-/// floor together: where a marker's error is e in pixels and E in metres, a metre is e / E pixels long there.
+/// The sum of the squares of the markers' errors, each by what a careful person may leave in the picture and
+/// on the floor together: where a marker's error is e in pixels and E in metres, a metre is e / E pixels long
+/// there.
 double carelessness(const std::vector<MarkerError> &markers, double layoutM)
 {
     const double tapeM = carefulTapeM + carefulTapeShare * layoutM;
@@ -376,13 +376,30 @@ Result<FloorRegistration> registerFloor(const MarkerLayout &layout, const std::v
                       "spread the markers over the floor");
     const double most = pairs->size() == 4 ? worstSumOfFour : worstSumOfFive;
     if (pairs->size() <= 5 && carelessness(registration.markers, layoutM) > most)
-        return refuse("the " + std::to_string(pairs->size()) + " markers misfit by " + formatNumber(registration.rmsPx, 1) +
-                          " px (" + millimetres(registration.rmsM) +
-                          ") and check one another too little to tell which of them; it may be wrong by much more",
-                      "mark and measure them again, or add another");
+        return refuse(
+            "the " + std::to_string(pairs->size()) + " markers misfit by " +
+                formatNumber(registration.rmsPx, 1) + " px (" + millimetres(registration.rmsM) +
+                ") and check one another too little to tell which of them; it may be wrong by much more",
+            "mark and measure them again, or add another");
     registration.verdict = verdictOf(registration, *pose, layoutM, intrinsicsKnown);
     registration.verdict += unitWords(registration, layoutM);
     return registration;
+}
+
+namespace {
+
+constexpr double priorFreedom = 4;
+constexpr double refutedBeyond = 3; // times the prior
+
+} // namespace
+
+double markSigmaPx(double squaresPx2, double freedom)
+{
+    freedom = std::max(0.0, freedom);
+    if (freedom >= 1 && std::sqrt(squaresPx2 / freedom) > refutedBeyond * usualMarkSigmaPx)
+        return std::sqrt(squaresPx2 / freedom);
+    return std::sqrt((priorFreedom * usualMarkSigmaPx * usualMarkSigmaPx + squaresPx2) /
+                     (priorFreedom + freedom));
 }
 
 } // namespace odo

@@ -3,7 +3,7 @@
 
 #include "core/base/job_control.h"
 #include "core/calibration/board_detection.h"
-#include "core/calibration/typical_testbed.h"
+#include "core/calibration/lens_influence.h"
 #include "core/geometry/camera_model.h"
 
 #include <optional>
@@ -21,9 +21,9 @@ struct RejectedPicture
 /// A picture of a calibration, with what the lens makes of it.
 struct CalibrationPicture
 {
-    BoardView view;    ///< its corners as seen, all of them
-    bool used = true;  ///< false: left out; its figures are then foretold by the lens of the others
-    double rmsPx = 0;  ///< of its corners that count: sqrt(mean of squared distances)
+    BoardView view;   ///< its corners as seen, all of them
+    bool used = true; ///< false: left out; its figures are then foretold by the lens of the others
+    double rmsPx = 0; ///< of its corners that count: sqrt(mean of squared distances)
     /// One a corner: seen minus foretold, pixels. An arrow from the foretold place to the seen one.
     std::vector<Eigen::Vector2d> residualsPx;
     std::vector<std::size_t> outliers; ///< indices of the corners that stand out, ascending
@@ -34,24 +34,29 @@ struct CalibrationPicture
 struct LensTrial
 {
     LensModel model = LensModel::Standard;
-    double heldOutPx = 0; ///< RMS of each half's corners under the other half's lens; infinite where it cannot foretell all
+    /// RMS of each half's corners under the other half's lens; infinite where it cannot foretell all
+    double heldOutPx = 0;
 };
 
 /// The outcome of a calibration.
 struct IntrinsicCalibration
 {
     Intrinsics intrinsics;
-    double rmsPx = 0;                          ///< over all corners that count, sqrt(mean of squared distances)
-    std::vector<CalibrationPicture> pictures;  ///< used or left out; in the order given
-    std::vector<RejectedPicture> rejected;     ///< those that cannot be used
-    double crossValidationPx = 0; ///< RMS of each half's corners under the other half's intrinsics; 0 under 6 views
-    /// What the uncertainty of the lens alone leaves on the floor of a typical testbed, σ; none for an imported lens.
+    /// over all corners that count, sqrt(mean of squared distances)
+    double rmsPx = 0;
+    std::vector<CalibrationPicture> pictures; ///< used or left out; in the order given
+    std::vector<RejectedPicture> rejected;    ///< those that cannot be used
+    /// RMS of each half's corners under the other half's intrinsics; 0 under 6 views
+    double crossValidationPx = 0;
+    /// What the uncertainty of the lens alone leaves on the floor of a typical testbed, σ; none for an
+    /// imported lens.
     std::optional<FloorExpectation> onFloor;
     /// How far the lenses of the two halves are apart on that floor; none under 6 views.
     std::optional<FloorExpectation> halvesApart;
     std::vector<LensTrial> lensTrials; ///< the models that were compared; empty where the model was told
     std::string lensReason;            ///< why this model, a clause: "told"; "no other foretells better"
-    /// Share of the corners of the used pictures whose residual stands out. Beyond mostOutliers they were all kept.
+    /// Share of the corners of the used pictures whose residual stands out. Beyond mostOutliers they were all
+    /// kept.
     double disagreeingPart = 0;
     std::string verdict; ///< for a person: the grade, millimetres on the floor, then pixels, then what to do
 
@@ -64,27 +69,34 @@ constexpr double mostOutliers = 0.03;
 
 /// Zhang 2000 with Levenberg–Marquardt refinement (Ceres), all views jointly.
 ///
-/// model: nullopt chooses among Standard, Rational and Fisheye: the simplest whose error on held-out pictures is within
-/// a margin of the best one's (two standard errors of the paired differences of the pictures' RMS, and 1 %; after the
-/// one-standard-error rule of Breiman et al. 1984, section 3.4.3). Under six views Standard.
+/// model: nullopt chooses among Standard, Rational and Fisheye: the simplest whose error on held-out pictures
+/// is within a margin of the best one's (two standard errors of the paired differences of the pictures' RMS,
+/// and 1 %; after the one-standard-error rule of Breiman et al. 1984, section 3.4.3). Under six views
+/// Standard.
 ///
-/// Corners whose residual is beyond 5 robust σ (median of the distances) of a fit that heeds them little (Cauchy's loss)
-/// are left out when they are at most mostOutliers of all; more are kept. So are three or more side by side that are moved
-/// the same way, since that says something of the picture or the board. The verdict says how many, where, and what was done.
+/// Corners whose residual is beyond 5 robust σ (median of the distances) of a fit that heeds them little
+/// (Cauchy's loss) are left out when they are at most mostOutliers of all; more are kept. So are three or
+/// more side by side that are moved the same way, since that says something of the picture or the board. The
+/// verdict says how many, where, and what was done.
 ///
-/// Refuses, with the reason: fewer than three views, all of one attitude, all frontal, all in one place of the picture,
-/// two focal lengths, halves that contradict each other, and a quarter of the corners or more that disagree.
-/// Any thread; asks control for cancellation in each iteration of each fit.
-Result<IntrinsicCalibration> calibrateIntrinsics(const std::vector<BoardView> &views, int widthPx, int heightPx,
-                                                 std::optional<LensModel> model, const JobControl &control);
+/// Refuses, with the reason: fewer than three views, all of one attitude, all frontal, all in one place of
+/// the picture, two focal lengths, halves that contradict each other, and a quarter of the corners or more
+/// that disagree. Any thread; asks control for cancellation in each iteration of each fit.
+Result<IntrinsicCalibration> calibrateIntrinsics(const std::vector<BoardView> &views, int widthPx,
+                                                 int heightPx, std::optional<LensModel> model,
+                                                 const JobControl &control);
 
-/// The calibration again from chosen pictures of it (indices into reference.pictures), with its lens model, started from
-/// its lens, so that it can follow a slider that is dragged. The pictures not chosen stay in the answer with used = false.
-/// Refuses as calibrateIntrinsics does. Any thread; cancellable.
+/// The calibration again from chosen pictures of it (indices into reference.pictures), with its lens model,
+/// started from its lens, so that it can follow a slider that is dragged. The pictures not chosen stay in the
+/// answer with used = false. Refuses as calibrateIntrinsics does. Any thread; cancellable.
 Result<IntrinsicCalibration> recalibrate(const IntrinsicCalibration &reference,
                                          const std::vector<std::size_t> &pictures, const JobControl &control);
 
 /// The pictures whose RMS in this calibration is at most so large: for recalibrate, by a threshold.
 std::vector<std::size_t> picturesWithin(const IntrinsicCalibration &calibration, double mostRmsPx);
+
+/// The sentences of IntrinsicCalibration::verdict from all else in it. focalSigma: of the focal length over
+/// itself.
+std::string calibrationVerdict(const IntrinsicCalibration &calibration, double focalSigma);
 
 } // namespace odo

@@ -2,28 +2,197 @@
 #include "core/calibration/joint_registration.h"
 
 #include "core/base/units.h"
-#include "core/calibration/joint_fit.h"
+#include "core/calibration/floor_registration.h"
+#include "core/calibration/internal/wording.h"
 #include "core/calibration/lens_influence.h"
-#include "core/calibration/mark_noise.h"
-#include "core/calibration/wording.h"
-#include "core/geometry/point_layout.h"
+#include "core/geometry/camera_model.h"
+#include "core/geometry/floor_view.h"
+#include "core/geometry/homography.h"
+#include "core/geometry/least_squares.h"
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace odo {
+
+struct JointPoint
+{
+    std::string label;
+    Eigen::Vector2d place;  ///< measured, or to begin with; metres on the floor
+    bool isMeasured = true; ///< its place has the tape's prior
+};
+
+struct JointObservation
+{
+    std::size_t camera, point;
+    Eigen::Vector2d pixel;
+};
+
+/// Cameras over points of the floor, some of known place.
+struct JointProblem
+{
+    struct Camera
+    {
+        CameraModel model;
+        RigidTransform worldFromCamera;
+    };
+    std::vector<Camera> cameras;
+    std::vector<JointPoint> points;
+    std::vector<JointObservation> observations;
+    double sigmaPx = 0.3, tapeSigmaM = 0.002;
+};
+
+struct JointFit
+{
+    std::vector<RigidTransform> poses;
+    std::vector<Eigen::Matrix<double, 6, 6>> poseCovariances; ///< as FloorView's
+    std::vector<Eigen::Vector2d> places;
+    std::vector<Eigen::Matrix2d> placeCovariances;
+    double cost = 0;         ///< sum of squares, each over its σ
+    double pixelSquares = 0; ///< sum of squared distances in the pictures
+    /// how many of the pixels' coordinates the fit left free (2n − trace of their hat matrix)
+    double pixelFreedom = 0;
+};
+
+/// Least squares over poses and places (core/geometry/least_squares.h). nullopt where they are not
+/// determined.
+std::optional<JointFit> fitJointly(const JointProblem &problem);
+
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+struct JointState
+{
+    std::vector<RigidTransform> poses;
+    std::vector<Vector2d> places;
+};
+
+/// Rows: two an observation, then two a measured point. Columns: six a camera, then two a point.
+LeastSquaresProblem<JointState> problemOf(const JointProblem &problem)
+{
+    LeastSquaresProblem<JointState> squares;
+    squares.evaluate = [&problem](const JointState &state, Eigen::VectorXd &residuals,
+                                  Eigen::MatrixXd *byStep) {
+        const auto cameras = static_cast<Eigen::Index>(problem.cameras.size());
+        const auto points = static_cast<Eigen::Index>(problem.points.size());
+        const auto observations = static_cast<Eigen::Index>(problem.observations.size());
+        residuals = Eigen::VectorXd::Zero(2 * observations + 2 * points);
+        if (byStep)
+            *byStep = Eigen::MatrixXd::Zero(residuals.size(), 6 * cameras + 2 * points);
+        for (Eigen::Index i = 0; i < observations; ++i) {
+            const JointObservation &seen = problem.observations[static_cast<std::size_t>(i)];
+            const RigidTransform &pose = state.poses[seen.camera];
+            const Vector2d &place = state.places[seen.point];
+            const Eigen::Matrix3d cameraAxes = pose.rotation.conjugate().toRotationMatrix();
+            const Vector3d fromCamera = Vector3d(place.x(), place.y(), 0) - pose.translation;
+            Eigen::Matrix<double, 2, 3> pixelByPoint;
+            const auto pixel =
+                problem.cameras[seen.camera].model.project(cameraAxes * fromCamera, pixelByPoint);
+            if (!pixel)
+                return false;
+            residuals.segment<2>(2 * i) = (*pixel - seen.pixel) / problem.sigmaPx;
+            if (!byStep)
+                continue;
+            const Eigen::Matrix<double, 2, 3> byWorld = pixelByPoint * cameraAxes / problem.sigmaPx;
+            const auto column = static_cast<Eigen::Index>(6 * seen.camera);
+            for (int axis = 0; axis < 3; ++axis)
+                byStep->block<2, 1>(2 * i, column + axis) = byWorld * fromCamera.cross(Vector3d::Unit(axis));
+            byStep->block<2, 3>(2 * i, column + 3) = -byWorld;
+            byStep->block<2, 2>(2 * i, 6 * cameras + static_cast<Eigen::Index>(2 * seen.point)) =
+                byWorld.leftCols<2>();
+        }
+        for (Eigen::Index i = 0; i < points; ++i) {
+            const JointPoint &point = problem.points[static_cast<std::size_t>(i)];
+            if (!point.isMeasured)
+                continue;
+            const Eigen::Index row = 2 * observations + 2 * i;
+            residuals.segment<2>(row) =
+                (state.places[static_cast<std::size_t>(i)] - point.place) / problem.tapeSigmaM;
+            if (byStep)
+                byStep->block<2, 2>(row, 6 * cameras + 2 * i) =
+                    Eigen::Matrix2d::Identity() / problem.tapeSigmaM;
+        }
+        return true;
+    };
+    squares.move = [](const JointState &state, const Eigen::VectorXd &step) {
+        JointState moved = state;
+        for (std::size_t i = 0; i < moved.poses.size(); ++i) {
+            const auto at = static_cast<Eigen::Index>(6 * i);
+            const Vector3d turn = step.segment<3>(at);
+            if (turn.norm() > 0)
+                moved.poses[i].rotation =
+                    (Eigen::Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized())) *
+                     moved.poses[i].rotation)
+                        .normalized();
+            moved.poses[i].translation += step.segment<3>(at + 3);
+        }
+        for (std::size_t i = 0; i < moved.places.size(); ++i)
+            moved.places[i] += step.segment<2>(static_cast<Eigen::Index>(6 * moved.poses.size() + 2 * i));
+        return moved;
+    };
+    return squares;
+}
+
+} // namespace
+
+std::optional<JointFit> fitJointly(const JointProblem &problem)
+{
+    JointState start;
+    for (const JointProblem::Camera &camera : problem.cameras)
+        start.poses.push_back(camera.worldFromCamera);
+    for (const JointPoint &point : problem.points)
+        start.places.push_back(point.place);
+    const auto squares = problemOf(problem);
+    const JointState best = minimise(squares, start);
+    Eigen::VectorXd residuals;
+    Eigen::MatrixXd byStep;
+    if (!squares.evaluate(best, residuals, &byStep))
+        return std::nullopt;
+    const Eigen::MatrixXd normal = byStep.transpose() * byStep;
+    // Scaled to a unit diagonal, or metres and radians would hide a singular matrix.
+    const Eigen::VectorXd scale = normal.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+    const Eigen::FullPivLU<Eigen::MatrixXd> factors(scale.asDiagonal() * normal * scale.asDiagonal());
+    if (!factors.isInvertible())
+        return std::nullopt;
+    const Eigen::MatrixXd covariance = scale.asDiagonal() * factors.inverse() * scale.asDiagonal();
+    JointFit fit{best.poses, {}, best.places, {}, residuals.squaredNorm(), 0, 0};
+    const auto rows = static_cast<Eigen::Index>(2 * problem.observations.size());
+    fit.pixelSquares = residuals.head(rows).squaredNorm() * problem.sigmaPx * problem.sigmaPx;
+    const Eigen::MatrixXd ofPixels = byStep.topRows(rows);
+    fit.pixelFreedom = static_cast<double>(rows) - (ofPixels * covariance).cwiseProduct(ofPixels).sum();
+    for (std::size_t i = 0; i < best.poses.size(); ++i) {
+        const auto at = static_cast<Eigen::Index>(6 * i);
+        fit.poseCovariances.emplace_back(covariance.block<6, 6>(at, at));
+        if (!(best.poses[i].translation.z() > 0))
+            return std::nullopt;
+    }
+    for (std::size_t i = 0; i < best.places.size(); ++i) {
+        const auto at = static_cast<Eigen::Index>(6 * best.poses.size() + 2 * i);
+        fit.placeCovariances.emplace_back(covariance.block<2, 2>(at, at));
+    }
+    return fit;
+}
 
 namespace {
 
 using Eigen::Vector2d;
 
 constexpr const char *jointRegistration = "the cameras cannot be registered together";
-constexpr double leastFall = 16;      // of the sum of squares: χ² of two degrees of freedom, 1 in 3000
-constexpr double pixelHandicap = 8;   // a wrong place of a marker is cured in part by leaving out one pixel of it
+constexpr double leastFall = 16; // of the sum of squares: χ² of two degrees of freedom, 1 in 3000
+// a wrong place of a marker is cured in part by leaving out one pixel of it
+constexpr double pixelHandicap = 8;
 constexpr std::size_t leastPixels = 3;
-constexpr std::size_t leastMeasured = 3; // markers whose measured place counts: they hold the axes and the scale
+// markers whose measured place counts: they hold the axes and the scale
+constexpr std::size_t leastMeasured = 3;
 
 tl::unexpected<Error> refuseJoint(std::string why, std::string advice)
 {
@@ -135,7 +304,8 @@ private:
                     bestProblem = std::move(other);
                 }
             };
-            const auto measured = static_cast<std::size_t>(std::ranges::count_if(m_problem.points, &JointPoint::isMeasured));
+            const auto measured =
+                static_cast<std::size_t>(std::ranges::count_if(m_problem.points, &JointPoint::isMeasured));
             for (std::size_t i = 0; i < m_problem.points.size() && measured > leastMeasured; ++i) {
                 if (!m_problem.points[i].isMeasured)
                     continue;
@@ -173,14 +343,16 @@ private:
                 joint.otherPoints.markers.push_back({point.label, fit.places[i]});
                 continue;
             }
-            JointMarker marker{point.label, 0, fit.places[i] - point.place, fit.placeCovariances[i], !point.isMeasured};
+            JointMarker marker{point.label, 0, fit.places[i] - point.place, fit.placeCovariances[i],
+                               !point.isMeasured};
             for (const JointCamera &camera : m_cameras)
                 marker.cameras += std::ranges::count(camera.pixels, point.label, &MarkerPixel::label) > 0;
             if (marker.isSuspicious)
-                joint.doubts.push_back(point.label + " is " + formatNumber(toMillimetres(marker.offM.norm()), 0) +
-                                       (marker.cameras > 1 ? " mm off by all cameras: measure it again."
-                                                           : " mm off by the one camera that sees it: measure it, or mark "
-                                                             "it in the picture, again."));
+                joint.doubts.push_back(
+                    point.label + " is " + formatNumber(toMillimetres(marker.offM.norm()), 0) +
+                    (marker.cameras > 1 ? " mm off by all cameras: measure it again."
+                                        : " mm off by the one camera that sees it: measure it, or mark "
+                                          "it in the picture, again."));
             joint.markers.push_back(std::move(marker));
         }
         for (std::size_t i = 0; i < m_cameras.size(); ++i)
@@ -211,9 +383,10 @@ private:
             if (!back || !seen)
                 continue;
             const double errorPx = (*back - pixel.pixel).norm();
-            const bool isUsed = std::ranges::any_of(m_problem.observations, [&](const JointObservation &each) {
-                return each.camera == index && each.point == at;
-            });
+            const bool isUsed =
+                std::ranges::any_of(m_problem.observations, [&](const JointObservation &each) {
+                    return each.camera == index && each.point == at;
+                });
             if (!isUsed)
                 joint.doubts.push_back(camera.name + " sees " + pixel.label + " " + formatNumber(errorPx, 1) +
                                        " px from where the others do: mark it there again.");
@@ -231,10 +404,11 @@ private:
         registration.rmsPx = std::sqrt(squaresPx / std::max(1.0, counted));
         registration.rmsM = std::sqrt(squaresM / std::max(1.0, counted));
         registration.floorSigmaM = floorSigmaM(registration, camera.camera, camera.pixels);
-        registration.verdict = registrationGrade(std::max(registration.rmsM, registration.floorSigmaM), extentM()) +
-                               "with " + others(index) + " together " + std::to_string(registration.markers.size()) +
-                               " markers fit to " + millimetres(registration.rmsM) + " RMS, and the floor among them is known to ±" +
-                               millimetres(registration.floorSigmaM) + ".";
+        registration.verdict =
+            registrationGrade(std::max(registration.rmsM, registration.floorSigmaM), extentM()) + "with " +
+            others(index) + " together " + std::to_string(registration.markers.size()) + " markers fit to " +
+            millimetres(registration.rmsM) + " RMS, and the floor among them is known to ±" +
+            millimetres(registration.floorSigmaM) + ".";
         return registration;
     }
 
@@ -279,7 +453,8 @@ private:
 
 } // namespace
 
-Result<JointRegistration> registerJointly(const MarkerLayout &layout, const std::vector<JointCamera> &cameras, double tapeSigmaM)
+Result<JointRegistration> registerJointly(const MarkerLayout &layout, const std::vector<JointCamera> &cameras,
+                                          double tapeSigmaM)
 {
     if (!(tapeSigmaM > 0) || !std::isfinite(tapeSigmaM))
         return fail(ErrorCode::InvalidInput, jointRegistration, "the σ of the tape measure is not above 0",

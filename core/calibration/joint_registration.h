@@ -13,10 +13,10 @@ namespace odo {
 struct JointCamera
 {
     std::string name;
-    CameraModel camera;          ///< of the registration; held as it is
+    CameraModel camera;             ///< of the registration; held as it is
     RigidTransform worldFromCamera; ///< to begin with
-    /// Markers of the layout, and points of the floor that are in no layout but that another camera sees under the same
-    /// label.
+    /// Markers of the layout, and points of the floor that are in no layout but that another camera sees
+    /// under the same label.
     std::vector<MarkerPixel> pixels;
 };
 
@@ -24,10 +24,11 @@ struct JointCamera
 struct JointMarker
 {
     std::string label;
-    int cameras = 0;                    ///< that see it
-    Eigen::Vector2d offM = Eigen::Vector2d::Zero(); ///< from where it was measured to where the cameras see it
+    int cameras = 0; ///< that see it
+    /// from where it was measured to where the cameras see it
+    Eigen::Vector2d offM = Eigen::Vector2d::Zero();
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero(); ///< m², of offM
-    bool isSuspicious = false;          ///< measured wrongly or moved since: its measured place was left out
+    bool isSuspicious = false; ///< measured wrongly or moved since: its measured place was left out
 };
 
 struct JointRegistration
@@ -36,20 +37,22 @@ struct JointRegistration
     std::vector<JointMarker> markers;             ///< of the layout, those that a camera sees
     MarkerLayout otherPoints;                     ///< where the points lie that were in no layout
     double rmsPx = 0;                             ///< of all distances in the pictures
-    std::vector<std::string> doubts; ///< sentences: "U is 23 mm off by all cameras: measure it again", "B sees U ..."
-    std::string verdict;             ///< the doubts, or that there are none
+    /// sentences: "U is 23 mm off by all cameras: measure it again", "B sees U ..."
+    std::vector<std::string> doubts;
+    std::string verdict; ///< the doubts, or that there are none
 };
 
-/// Fits the poses of all cameras and the places of all markers at once (Levenberg–Marquardt): pixels with the noise that
-/// registerFloor gives a marker (0.3 px, weighed against the residuals), each marker's place with the σ of the tape
-/// measure as a prior (Gaussian, both coordinates alike), other points without one. Lenses are held. What fits badly is
-/// looked for: while leaving out one marker's measured place lowers the sum of squares by more than 16 (χ² of two degrees of
-/// freedom: one in 3000 by chance), or leaving out one camera's pixel of it by 24, the one that lowers it the most is left
-/// out and named. poseCovariance is the marginal one of each camera; the errors of the cameras are not independent, as the
-/// markers' places are common to them.
+/// Fits the poses of all cameras and the places of all markers at once (Levenberg–Marquardt): pixels with the
+/// noise that registerFloor gives a marker (0.3 px, weighed against the residuals), each marker's place with
+/// the σ of the tape measure as a prior (Gaussian, both coordinates alike), other points without one. Lenses
+/// are held. What fits badly is looked for: while leaving out one marker's measured place lowers the sum of
+/// squares by more than 16 (χ² of two degrees of freedom: one in 3000 by chance), or leaving out one camera's
+/// pixel of it by 24, the one that lowers it the most is left out and named. poseCovariance is the marginal
+/// one of each camera; the errors of the cameras are not independent, as the markers' places are common to
+/// them.
 ///
-/// Refuses: fewer than two cameras, two of one name, cameras that have no marker or point in common, a camera with fewer
-/// than three pixels that count, and what the fit does not determine. Pure; any thread.
+/// Refuses: fewer than two cameras, two of one name, cameras that have no marker or point in common, a camera
+/// with fewer than three pixels that count, and what the fit does not determine. Pure; any thread.
 Result<JointRegistration> registerJointly(const MarkerLayout &layout, const std::vector<JointCamera> &cameras,
                                           double tapeSigmaM = 0.002);
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/lens_influence.h"
 
+#include "core/base/units.h"
 #include "core/calibration/floor_registration.h"
+#include "core/calibration/internal/plane_pose.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 
 namespace odo {
 
@@ -84,6 +88,145 @@ double floorSigmaM(const FloorRegistration &registration, const CameraModel &cam
             sigmaM = std::max(sigmaM, largestSigmaM(*seen));
     }
     return sigmaM;
+}
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double heightM = 2, longSideM = 3, shortSideM = 2;
+constexpr double nearestM = 0.3, farthestM = 60, stepFactor = 1.05;
+constexpr double margin = 0.03;      // of the picture's shorter side, free about the floor
+constexpr int across = 12, deep = 8; // fields of the grid
+
+/// Width and depth of the floor as the camera sees it.
+Vector2d extentFor(const CameraModel &camera)
+{
+    const Intrinsics &lens = camera.intrinsics();
+    return lens.widthPx >= lens.heightPx ? Vector2d(longSideM, shortSideM) : Vector2d(shortSideM, longSideM);
+}
+
+std::array<Vector2d, 4> cornersOf(const Vector2d &extent)
+{
+    return {Vector2d(0, 0), Vector2d(extent.x(), 0), extent, Vector2d(0, extent.y())};
+}
+
+/// Before the middle of the near edge, aimed between the near and the far edge.
+RigidTransform placeAt(double distanceM, const Vector2d &extent)
+{
+    const double pitch = 0.5 * (std::atan2(heightM, distanceM) + std::atan2(heightM, distanceM + extent.y()));
+    Eigen::Matrix3d axes;
+    axes << 1, 0, 0, 0, -std::sin(pitch), std::cos(pitch), 0, -std::cos(pitch), -std::sin(pitch);
+    RigidTransform worldFromCamera;
+    worldFromCamera.rotation = Eigen::Quaterniond(axes);
+    worldFromCamera.translation = {0.5 * extent.x(), -distanceM, heightM};
+    return worldFromCamera;
+}
+
+bool seesAll(const CameraModel &camera, const RigidTransform &worldFromCamera, const Vector2d &extent)
+{
+    const Intrinsics &lens = camera.intrinsics();
+    const double free = margin * std::min(lens.widthPx, lens.heightPx);
+    const RigidTransform cameraFromWorld = worldFromCamera.inverse();
+    return std::ranges::all_of(cornersOf(extent), [&](const Vector2d &corner) {
+        const auto pixel = camera.project(cameraFromWorld * Eigen::Vector3d(corner.x(), corner.y(), 0));
+        return pixel && pixel->x() >= free && pixel->y() >= free && pixel->x() <= lens.widthPx - 1 - free &&
+               pixel->y() <= lens.heightPx - 1 - free;
+    });
+}
+
+std::string whereOf(int column, int row)
+{
+    const bool left = column <= 1, right = column >= across - 1, near = row <= 1, far = row >= deep - 1;
+    if ((left || right) && (near || far))
+        return std::string("in the ") + (far ? "far " : "near ") + (left ? "left" : "right") + " corner";
+    if (near || far)
+        return far ? "at the far edge" : "at the near edge";
+    if (left || right)
+        return left ? "at the left edge" : "at the right edge";
+    return "inside";
+}
+
+/// errorM: of a place on the floor; nullopt where it has none.
+std::optional<FloorExpectation>
+overTheFloor(const Vector2d &extent, const std::function<std::optional<double>(const Vector2d &)> &errorM)
+{
+    FloorExpectation expectation;
+    for (int row = 0; row <= deep; ++row) {
+        for (int column = 0; column <= across; ++column) {
+            const auto error = errorM({extent.x() * column / across, extent.y() * row / deep});
+            if (!error || !std::isfinite(*error))
+                return std::nullopt;
+            if (2 * column == across && 2 * row == deep)
+                expectation.middleM = *error;
+            if (*error < expectation.worstM)
+                continue;
+            expectation.worstM = *error;
+            expectation.worstWhere = whereOf(column, row);
+        }
+    }
+    return expectation;
+}
+
+} // namespace
+
+std::optional<FloorView> typicalTestbed(const CameraModel &camera)
+{
+    const Vector2d extent = extentFor(camera);
+    for (double distanceM = nearestM; distanceM < farthestM; distanceM *= stepFactor) {
+        const RigidTransform place = placeAt(distanceM, extent);
+        if (!seesAll(camera, place, extent))
+            continue;
+        return FloorView(camera, place, Eigen::Matrix<double, 6, 6>::Zero(),
+                         poseByLens(camera, place, cornersOf(extent)));
+    }
+    return std::nullopt;
+}
+
+std::string typicalTestbedWords()
+{
+    return "a " + formatNumber(longSideM, 0) + " m × " + formatNumber(shortSideM, 0) + " m floor seen from " +
+           formatNumber(heightM, 0) + " m above";
+}
+
+std::optional<FloorExpectation> expectedOnFloor(const Intrinsics &intrinsics)
+{
+    const auto camera = CameraModel::create(intrinsics);
+    if (!camera || intrinsics.covariance.size() == 0)
+        return std::nullopt;
+    const auto view = typicalTestbed(*camera);
+    if (!view || !view->hasLensPart())
+        return std::nullopt;
+    return overTheFloor(extentFor(*camera), [&](const Vector2d &place) -> std::optional<double> {
+        const auto pixel = view->pixelFromWorld({place.x(), place.y(), 0});
+        const auto seen = pixel ? view->locate(*pixel, Eigen::Matrix2d::Zero(), 0) : std::nullopt;
+        return seen ? std::optional(largestSigmaM(*seen)) : std::nullopt;
+    });
+}
+
+std::optional<FloorExpectation> apartOnFloor(const Intrinsics &one, const Intrinsics &other)
+{
+    const auto camera = CameraModel::create(one), second = CameraModel::create(other);
+    const auto view = camera ? typicalTestbed(*camera) : std::nullopt;
+    if (!view || !second)
+        return std::nullopt;
+    const Vector2d extent = extentFor(*camera);
+    std::vector<PointPair> markers;
+    for (const Vector2d &corner : cornersOf(extent)) {
+        const auto pixel = view->pixelFromWorld({corner.x(), corner.y(), 0});
+        if (!pixel)
+            return std::nullopt;
+        markers.push_back({corner, *pixel, {}});
+    }
+    const auto pose = fitPlanePose(markers, *second, FocalLength::Known);
+    if (!pose)
+        return std::nullopt;
+    const FloorView secondView(*second, pose->worldFromCamera, Eigen::Matrix<double, 6, 6>::Zero());
+    return overTheFloor(extent, [&](const Vector2d &place) -> std::optional<double> {
+        const auto pixel = view->pixelFromWorld({place.x(), place.y(), 0});
+        const auto seen = pixel ? secondView.floorFromPixel(*pixel, 0) : std::nullopt;
+        return seen ? std::optional((*seen - place).norm()) : std::nullopt;
+    });
 }
 
 } // namespace odo

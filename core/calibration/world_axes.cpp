@@ -2,7 +2,7 @@
 #include "core/calibration/world_axes.h"
 
 #include "core/base/units.h"
-#include "core/calibration/wording.h"
+#include "core/calibration/internal/wording.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +44,8 @@ Result<double> turnOf(const MarkerLayout &layout, const AxesChange &change)
         return tl::unexpected(to.error());
     const Vector2d along = *to - *from;
     if (!(along.norm() > 0))
-        return refuse(layout, "the markers that X is to run along lie at one place", "name two that lie apart");
+        return refuse(layout, "the markers that X is to run along lie at one place",
+                      "name two that lie apart");
     return -std::atan2(along.y(), along.x());
 }
 
@@ -81,14 +82,16 @@ Result<double> lengthFactorFrom(const std::string &unit)
 Result<AxesTransform> axesTransformOf(const MarkerLayout &layout, const AxesChange &change)
 {
     if (!(change.lengthFactor > 0) || !std::isfinite(change.lengthFactor))
-        return refuse(layout, "a length factor of " + formatNumber(change.lengthFactor, 3) + " makes no floor",
+        return refuse(layout,
+                      "a length factor of " + formatNumber(change.lengthFactor, 3) + " makes no floor",
                       "give a number above 0");
     if (change.reverseX != change.reverseY)
-        return refuse(layout,
-                      std::string("reversing ") + (change.reverseX ? "X" : "Y") +
-                          " alone would mirror the floor, and no camera above it sees it so",
-                      "reverse both (a half turn), or turn the axes; if the layout was written down mirrored, "
-                      "correct its signs and add it anew");
+        return refuse(
+            layout,
+            std::string("reversing ") + (change.reverseX ? "X" : "Y") +
+                " alone would mirror the floor, and no camera above it sees it so",
+            "reverse both (a half turn), or turn the axes; if the layout was written down mirrored, "
+            "correct its signs and add it anew");
     const auto origin = originOf(layout, change);
     if (!origin)
         return tl::unexpected(origin.error());
@@ -97,7 +100,8 @@ Result<AxesTransform> axesTransformOf(const MarkerLayout &layout, const AxesChan
         return tl::unexpected(turn.error());
     if (!origin->allFinite() || !std::isfinite(*turn))
         return refuse(layout, "the origin or the angle is not a finite number", "give plain numbers");
-    AxesTransform transform{change.lengthFactor, *turn + (change.reverseX ? std::numbers::pi : 0.0), Vector2d::Zero()};
+    AxesTransform transform{change.lengthFactor, *turn + (change.reverseX ? std::numbers::pi : 0.0),
+                            Vector2d::Zero()};
     transform.shiftM = -(Eigen::Rotation2Dd(transform.turnRad) * *origin);
     return transform;
 }
@@ -116,7 +120,8 @@ FloorRegistration transformed(const FloorRegistration &registration, const AxesT
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(newFromOld.turnRad, Eigen::Vector3d::UnitZ()));
     const Eigen::Vector3d shift(newFromOld.shiftM.x(), newFromOld.shiftM.y(), 0);
     result.worldFromCamera.rotation = (turn * registration.worldFromCamera.rotation).normalized();
-    result.worldFromCamera.translation = newFromOld.scale * (turn * registration.worldFromCamera.translation) + shift;
+    result.worldFromCamera.translation =
+        newFromOld.scale * (turn * registration.worldFromCamera.translation) + shift;
     // The rotation vector is one of the world frame, so it turns with it.
     Eigen::Matrix<double, 6, 6> byOld = Eigen::Matrix<double, 6, 6>::Zero();
     byOld.topLeftCorner<3, 3>() = turn.toRotationMatrix();

@@ -4,18 +4,19 @@
 #include "core/base/shortage.h"
 #include "core/capture/aravis/aravis_address.h"
 #include "core/capture/aravis/aravis_source.h"
-#include "core/capture/file_source.h"
-#include "core/capture/simulated_source.h"
+#include "core/capture/internal/stand_in_source.h"
 #include "core/capture/v4l2/v4l2_address.h"
 #include "core/capture/v4l2/v4l2_source.h"
-#include "core/simulation/board_poses.h"
-#include "core/simulation/demo_robots.h"
 #include "core/simulation/demo_testbed.h"
+#include "core/simulation/renderer.h"
 
 #include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <locale>
+#include <mutex>
 #include <sstream>
+#include <thread>
 
 namespace odo {
 
@@ -67,12 +68,14 @@ Result<std::unique_ptr<CameraSource>> openSimulated(const std::string &uri)
         CameraDescription description = describe(camera);
         description.uri = uri;
         if (!board)
-            return simulatedSceneSource(std::move(description), std::move(scene), static_cast<int>(i), Pace::Kind::RealTime,
-                                        beginningOfTheTestbed());
+            return simulatedSceneSource(std::move(description), std::move(scene), static_cast<int>(i),
+                                        Pace::Kind::RealTime, beginningOfTheTestbed());
         const CameraModel &lens = camera.view.camera();
-        return simulatedBoardSource(std::move(description), lens, {}, heldBoardPoses(lens, {}, boardPoses, seed), Pace::Kind::RealTime);
+        return simulatedBoardSource(std::move(description), lens, {},
+                                    heldBoardPoses(lens, {}, boardPoses, seed), Pace::Kind::RealTime);
     }
-    return fail(ErrorCode::NotFound, "'" + uri + "'", "there is no simulated camera " + name, "take sim:A or sim:B");
+    return fail(ErrorCode::NotFound, "'" + uri + "'", "there is no simulated camera " + name,
+                "take sim:A or sim:B");
 }
 
 } // namespace
@@ -89,7 +92,8 @@ std::string formatWords(const std::string &coding, int widthPx, int heightPx, do
 
 Result<void> CameraSource::set(const std::string &id, double)
 {
-    return fail(ErrorCode::NotFound, "camera " + description().uri, "it has nothing named '" + id + "' that could be set", "leave it out");
+    return fail(ErrorCode::NotFound, "camera " + description().uri,
+                "it has nothing named '" + id + "' that could be set", "leave it out");
 }
 
 namespace {
@@ -125,6 +129,250 @@ std::vector<CameraDescription> listCameras()
     for (CameraDescription &camera : listAravisCameras())
         cameras.push_back(std::move(camera));
     return cameras;
+}
+
+namespace {
+
+CameraWish wishIn(std::string_view part)
+{
+    const std::size_t equals = part.find('=');
+    if (equals == std::string_view::npos)
+        return {std::string(part), {}, {}};
+    return {std::string(part), std::string(part.substr(0, equals)), std::string(part.substr(equals + 1))};
+}
+
+} // namespace
+
+CameraUri splitCameraUri(std::string_view uri, std::string_view scheme)
+{
+    const std::string_view all = uri.substr(scheme.size());
+    const std::size_t question = all.find('?');
+    CameraUri split{std::string(all.substr(0, question))};
+    if (question == std::string_view::npos)
+        return split;
+    for (std::string_view rest = all.substr(question + 1); !rest.empty();) {
+        const std::size_t ampersand = rest.find('&');
+        split.wishes.push_back(wishIn(rest.substr(0, ampersand)));
+        rest = ampersand == std::string_view::npos ? std::string_view() : rest.substr(ampersand + 1);
+    }
+    return split;
+}
+
+bool takesWishes(const std::string &uri)
+{
+    return uri.starts_with("v4l2:") || uri.starts_with("aravis:");
+}
+
+std::string withoutWishes(const std::string &uri)
+{
+    return takesWishes(uri) ? uri.substr(0, uri.find('?')) : uri;
+}
+
+std::string withWishes(const std::string &uri, const std::vector<CameraWish> &wishes)
+{
+    std::string whole = withoutWishes(uri);
+    for (std::size_t i = 0; i < wishes.size(); ++i)
+        whole += (i == 0 ? '?' : '&') + wishes[i].text;
+    return whole;
+}
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto cameraWithin = 500ms;
+
+CameraDescription knownOf(const std::string &uri)
+{
+    return {.uri = uri, .kind = uri.substr(0, uri.find(':')), .name = uri};
+}
+
+class AwaitedSource : public CameraSource
+{
+public:
+    using Open = std::function<Result<std::unique_ptr<CameraSource>>()>;
+
+    AwaitedSource(const std::string &uri, Error why, Open open, Nanoseconds betweenAttempts)
+        : m_known(knownOf(uri)), m_open(std::move(open)), m_betweenAttempts(betweenAttempts),
+          m_why(std::move(why))
+    {
+        if (auto opener = startThread("camera " + uri, [this] { await(); })) {
+            m_opener = std::move(*opener);
+        } else {
+            m_why = opener.error();
+            m_why.code = ErrorCode::InvalidInput; // nobody tries again
+        }
+    }
+    ~AwaitedSource() override
+    {
+        stop();
+        if (m_opener.joinable())
+            m_opener.join();
+    }
+
+    const CameraDescription &description() const override
+    {
+        const CameraSource *source = camera();
+        return source ? source->description() : m_known;
+    }
+    Result<CapturedFrame> next() override
+    {
+        CameraSource *source = nullptr;
+        {
+            std::unique_lock lock(m_mutex);
+            m_wake.wait_for(lock, cameraWithin, [this] { return m_stopped || m_camera || isHopeless(); });
+            if (m_stopped)
+                return cancelled(m_known.uri);
+            if (!m_camera && isHopeless())
+                return tl::unexpected(m_why);
+            if (!m_camera)
+                return fail(ErrorCode::Unavailable, m_why.what, m_why.why, m_why.advice);
+            source = m_camera.get();
+        }
+        return source->next();
+    }
+    void stop() override
+    {
+        const std::lock_guard lock(m_mutex);
+        m_stopped = true;
+        m_wake.notify_all();
+        if (m_camera)
+            m_camera->stop();
+    }
+
+    CameraCounts counts() const override
+    {
+        const CameraSource *source = camera();
+        return source ? source->counts() : CameraCounts{};
+    }
+    Result<std::vector<CameraControl>> controls() override
+    {
+        if (CameraSource *source = camera())
+            return source->controls();
+        return notThere();
+    }
+    Result<void> set(const std::string &id, double value) override
+    {
+        if (CameraSource *source = camera())
+            return source->set(id, value);
+        return notThere();
+    }
+    std::vector<std::string> holdAutomatics() override
+    {
+        {
+            const std::lock_guard lock(m_mutex);
+            if (!m_camera) {
+                m_isHoldMissed = true;
+                return {};
+            }
+        }
+        return camera()->holdAutomatics();
+    }
+    void showRobots(const std::vector<RobotAppearance> &robots) override
+    {
+        const std::lock_guard lock(m_mutex);
+        m_robots = robots;
+        if (m_camera)
+            m_camera->showRobots(robots);
+    }
+    void releaseAutomatics() override
+    {
+        {
+            const std::lock_guard lock(m_mutex);
+            m_isHoldMissed = false;
+        }
+        if (CameraSource *source = camera())
+            source->releaseAutomatics();
+    }
+
+private:
+    bool isHopeless() const { return m_why.code == ErrorCode::InvalidInput; }
+    /// Once it is there it stays.
+    CameraSource *camera() const
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_camera.get();
+    }
+    tl::unexpected<Error> notThere() const
+    {
+        const std::lock_guard lock(m_mutex);
+        return fail(ErrorCode::Unavailable, m_why.what, m_why.why, m_why.advice);
+    }
+
+    /// With the mutex held.
+    void adopt(std::unique_ptr<CameraSource> camera)
+    {
+        m_camera = std::move(camera);
+        if (m_robots)
+            m_camera->showRobots(*m_robots);
+    }
+
+    /// The thread that opens it.
+    void await()
+    {
+        std::unique_lock lock(m_mutex);
+        while (!m_camera && !isHopeless() &&
+               !m_wake.wait_for(lock, m_betweenAttempts, [this] { return m_stopped; })) {
+            lock.unlock();
+            auto opened = orShortage("camera " + m_known.uri, m_open);
+            lock.lock();
+            if (!opened)
+                m_why = opened.error();
+            else if (!m_stopped)
+                adopt(std::move(*opened));
+            m_wake.notify_all();
+        }
+        if (!m_camera || !m_isHoldMissed)
+            return;
+        lock.unlock();
+        m_camera->holdAutomatics();
+    }
+
+    const CameraDescription m_known;
+    const Open m_open;
+    const Nanoseconds m_betweenAttempts;
+    mutable std::mutex m_mutex; ///< guards what follows
+    std::condition_variable m_wake;
+    std::unique_ptr<CameraSource> m_camera; ///< set once
+    Error m_why;
+    bool m_stopped = false, m_isHoldMissed = false;
+    std::optional<std::vector<RobotAppearance>> m_robots; ///< that it is to show
+    std::thread m_opener;                                 ///< last, so that it begins when all is there
+};
+
+} // namespace
+
+std::unique_ptr<CameraSource> awaitCamera(const std::string &uri, Error why,
+                                          std::function<Result<std::unique_ptr<CameraSource>>()> open,
+                                          Nanoseconds betweenAttempts)
+{
+    return std::make_unique<AwaitedSource>(uri, std::move(why), std::move(open), betweenAttempts);
+}
+
+namespace {
+
+constexpr double settlingS = 0.5;
+constexpr int mostRefusals = 6; // of half a second each: then the camera will not come
+
+} // namespace
+
+Result<Frame> settledPicture(CameraSource &camera, const JobControl &control)
+{
+    int refusals = 0;
+    std::optional<Nanoseconds> first;
+    for (;;) {
+        auto captured = camera.next();
+        if (control.isCancelled())
+            return cancelled("the picture");
+        if (!captured && (captured.error().code != ErrorCode::Unavailable || ++refusals == mostRefusals))
+            return tl::unexpected(captured.error());
+        if (!captured)
+            continue;
+        if (!first)
+            first = captured->frame.time;
+        if (toSeconds(captured->frame.time - *first) >= settlingS)
+            return std::move(captured->frame);
+    }
 }
 
 } // namespace odo

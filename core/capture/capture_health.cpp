@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/capture_health.h"
 
+#include "core/base/file_system.h"
+
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -79,6 +82,25 @@ std::string roomWords(const DiskHealth &disk)
     if (*disk.secondsLeft < 3 * 3600)
         return text("room for %.0f min", std::floor(*disk.secondsLeft / 60));
     return text("room for %.0f h", std::floor(*disk.secondsLeft / 3600));
+}
+
+std::optional<DiskRoom> diskRoomOf(const std::filesystem::path &folder)
+{
+    std::error_code problem;
+    const files::DiskSpace space = files::diskSpace(folder, problem);
+    if (problem)
+        return std::nullopt;
+    return DiskRoom{space.freeBytes, space.bytes};
+}
+
+std::uint64_t DiskWatch::reserved(const DiskRoom &disk) const
+{
+    return std::min(mostReserved, disk.size / 20);
+}
+
+std::uint64_t DiskWatch::left(const DiskRoom &disk) const
+{
+    return disk.free - std::min(disk.free, reserved(disk));
 }
 
 } // namespace odo

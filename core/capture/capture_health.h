@@ -5,6 +5,8 @@
 #include "core/capture/clock_map.h"
 
 #include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,9 +33,10 @@ struct ViewHealth
     double framesPerSecond = 0; ///< over the last two seconds
     std::uint64_t delivered = 0;
     std::uint64_t lostOnWire = 0; ///< gaps in the camera's own count
-    bool hasWire = true;          ///< false: its pictures are made, or read, by this program, not sent by a camera
-    std::uint64_t lostByUs = 0;   ///< that this program or the disk was too slow for
-    CameraCounts source;          ///< damaged, resent, reconnections
+    /// false: its pictures are made, or read, by this program, not sent by a camera
+    bool hasWire = true;
+    std::uint64_t lostByUs = 0; ///< that this program or the disk was too slow for
+    CameraCounts source;        ///< damaged, resent, reconnections
     double latencyS = 0; ///< 95 % of the last two seconds' pictures were here so soon after they were taken
     /// Whether exposure, gain, white balance and focus hold still; nullopt: not asked for yet.
     std::optional<bool> automaticsHeld;
@@ -88,5 +91,28 @@ std::string inStepWords(double p95S);
 bool comesByWire(const std::string &kind);
 /// "room for 42 min"; empty where it is not known.
 std::string roomWords(const DiskHealth &disk);
+
+struct DiskRoom
+{
+    std::uint64_t free = 0; ///< bytes that may still be written
+    std::uint64_t size = 0; ///< bytes of the whole disk
+};
+
+/// Of the disk that a folder is on; nullopt where the system does not say.
+std::optional<DiskRoom> diskRoomOf(const std::filesystem::path &folder);
+
+/// How full a recording may make its disk.
+struct DiskWatch
+{
+    /// A recording ends by itself with so many bytes left, or with a twentieth of a disk that is small:
+    /// enough for the project and everything else on this machine to go on.
+    std::uint64_t mostReserved = 200'000'000;
+    /// Asked once a second while recording, on the thread that writes.
+    std::function<std::optional<DiskRoom>(const std::filesystem::path &folder)> room = diskRoomOf;
+
+    /// Bytes that a recording may still take.
+    std::uint64_t left(const DiskRoom &disk) const;
+    std::uint64_t reserved(const DiskRoom &disk) const;
+};
 
 } // namespace odo

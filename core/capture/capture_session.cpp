@@ -2,8 +2,8 @@
 #include "core/capture/capture_session.h"
 
 #include "core/base/steady_now.h"
-#include "core/capture/frame_pairing.h"
-#include "core/capture/view_capture.h"
+#include "core/capture/internal/view_capture.h"
+#include "core/capture/synchroniser.h"
 
 #include <algorithm>
 #include <chrono>

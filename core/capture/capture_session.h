@@ -4,7 +4,6 @@
 #include "core/base/bounded_queue.h"
 #include "core/base/steady_now.h"
 #include "core/capture/capture_health.h"
-#include "core/capture/disk_watch.h"
 #include "core/capture/recording_outcome.h"
 #include "core/capture/synchroniser.h"
 

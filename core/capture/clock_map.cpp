@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/clock_map.h"
 
-#include "core/base/upper_median.h"
+#include "core/base/percentile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -149,8 +149,8 @@ ClockFit ClockMap::fitArrivals() const
     return fit;
 }
 
-/// The line of least squares, each reading weighed by how well its round trip bounds it: one that was held up counts
-/// next to nothing, and those that are far apart in time still tell the rate when few were quick.
+/// The line of least squares, each reading weighed by how well its round trip bounds it: one that was held up
+/// counts next to nothing, and those that are far apart in time still tell the rate when few were quick.
 std::optional<ClockFit> ClockMap::fitLatches() const
 {
     if (m_latches.size() < fewestLatches)
@@ -177,7 +177,8 @@ std::optional<ClockFit> ClockMap::fitLatches() const
     fit.source = ClockFit::Source::Latch;
     fit.rate = spread > 0 ? std::clamp(product / spread, -fastestClockRate, fastestClockRate) : 0;
     for (std::size_t i = 0; i < points.size(); ++i)
-        squares += weights[i] * std::pow(points[i].behindS - behind - fit.rate * (points[i].deviceS - middle), 2);
+        squares +=
+            weights[i] * std::pow(points[i].behindS - behind - fit.rate * (points[i].deviceS - middle), 2);
     const double scatter = std::max(1.0, squares / static_cast<double>(points.size() - 2));
     const double atNewest = 1 / weight + (spread > 0 ? middle * middle / spread : 0);
     fit.sigmaS = std::hypot(std::sqrt(scatter * atNewest), roundTripAsymmetry * shortestS);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/capture/synchroniser.h"
-#include "core/video/recorded_times.h"
+#include "core/video/frame_times.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -27,10 +27,11 @@ struct ViewRecording
     RecordedTimes times;
     std::vector<Nanoseconds>
         taken; ///< of each picture in the file, by this machine's steady clock; derived from times
-    double clockSigmaS = 0;         ///< of all of these alike
-    std::uint64_t frames = 0;       ///< that the camera delivered
-    std::uint64_t lostOnWire = 0;   ///< gaps in the camera's own count
-    std::uint64_t lostByUs = 0;     ///< that this program or the disk was too slow for; not what `problem` cost
+    double clockSigmaS = 0;       ///< of all of these alike
+    std::uint64_t frames = 0;     ///< that the camera delivered
+    std::uint64_t lostOnWire = 0; ///< gaps in the camera's own count
+    /// that this program or the disk was too slow for; not what `problem` cost
+    std::uint64_t lostByUs = 0;
     std::vector<double> latenciesS; ///< of each picture, from when it was taken to when it was written
     std::vector<RecordingGap> gaps;
     double longestWaitS = 0;      ///< that a picture waited for the disk
@@ -43,5 +44,16 @@ struct RecordingOutcome
     std::vector<ViewRecording> views; ///< in the order of the cameras
     PairFigures pairs;                ///< of the pictures recorded
 };
+
+/// When recorded pictures were taken, by this machine's steady clock.
+struct DerivedTimes
+{
+    std::vector<Nanoseconds> taken; ///< one for each picture, increasing
+    double sigmaS = 0;              ///< of all of them alike
+};
+
+/// Derives from the raw times of a recording when each picture was taken: the camera's clock as ClockMap
+/// learns it, with what came before and after. Pure.
+DerivedTimes deriveTimes(const RecordedTimes &times);
 
 } // namespace odo

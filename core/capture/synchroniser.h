@@ -2,8 +2,10 @@
 #pragma once
 
 #include "core/capture/camera_source.h"
+#include "core/capture/capture_health.h"
 
 #include <deque>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -32,11 +34,11 @@ struct PairFigures
     std::vector<double> errorsS;
 };
 
-/// Finds which pictures of several cameras belong together, by when they were taken, never by when or in which
-/// order they arrived. Two pictures belong together when each is the other's nearest and they lie no further
-/// apart than the tolerance. A set is given out as soon as no picture that is still to come could be nearer,
-/// or when it has waited for the longest time allowed: one camera that stalls does not hold up the others for
-/// longer. Not thread-safe.
+/// Finds which pictures of several cameras belong together, by when they were taken, never by when or in
+/// which order they arrived. Two pictures belong together when each is the other's nearest and they lie no
+/// further apart than the tolerance. A set is given out as soon as no picture that is still to come could be
+/// nearer, or when it has waited for the longest time allowed: one camera that stalls does not hold up the
+/// others for longer. Not thread-safe.
 class Synchroniser
 {
 public:
@@ -62,7 +64,8 @@ public:
 private:
     bool isDecided(Nanoseconds time, Nanoseconds now) const;
     FrameSet takeFirst();
-    std::optional<TimedFrame> takePartner(std::size_t view, Nanoseconds time, std::optional<Nanoseconds> following);
+    std::optional<TimedFrame> takePartner(std::size_t view, Nanoseconds time,
+                                          std::optional<Nanoseconds> following);
     void dropUnpaired(std::size_t view);
 
     const Settings m_settings;
@@ -70,5 +73,31 @@ private:
     std::vector<std::optional<Nanoseconds>> m_newest;
     PairFigures m_figures;
 };
+
+/// Pairs the pictures of live cameras, and watches how well the views are in step. Any thread.
+class FramePairing
+{
+public:
+    explicit FramePairing(Synchroniser::Settings settings);
+
+    void add(std::size_t view, TimedFrame frame, Nanoseconds now);
+    PairHealth health(Nanoseconds now) const;
+
+private:
+    struct PairError
+    {
+        Nanoseconds at;
+        double errorS;
+    };
+
+    const Nanoseconds m_tolerance;
+    mutable std::mutex m_mutex; ///< guards what follows
+    Synchroniser m_synchroniser;
+    std::deque<PairError> m_recent;
+    std::uint64_t m_pairs = 0, m_unpaired = 0;
+};
+
+/// How the pictures of several views pair, by when they were taken; each view's in order.
+PairFigures pairFigures(const std::vector<std::vector<Nanoseconds>> &takenOfViews, Nanoseconds tolerance);
 
 } // namespace odo

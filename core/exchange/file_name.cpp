@@ -12,7 +12,8 @@ constexpr qsizetype mostBytes = 180;
 
 bool isHarmless(char32_t c)
 {
-    if (c < 0x20 || c == QChar::ReplacementCharacter || QStringView(u"/\\:*?\"<>|").contains(QChar(c < 0x10000 ? char16_t(c) : u'x')))
+    if (c < 0x20 || c == QChar::ReplacementCharacter ||
+        QStringView(u"/\\:*?\"<>|").contains(QChar(c < 0x10000 ? char16_t(c) : u'x')))
         return false;
     switch (QChar::category(c)) {
     case QChar::Other_Control:
@@ -30,11 +31,14 @@ bool isHarmless(char32_t c)
 /// "CON", "com1.txt": Windows opens a device instead of a file.
 bool isDevice(const QString &name)
 {
-    static const QStringList devices = {QStringLiteral("CON"), QStringLiteral("PRN"), QStringLiteral("AUX"), QStringLiteral("NUL")};
+    static const QStringList devices = {QStringLiteral("CON"), QStringLiteral("PRN"), QStringLiteral("AUX"),
+                                        QStringLiteral("NUL")};
     const QString stem = name.section(u'.', 0, 0).trimmed().toUpper();
     if (devices.contains(stem))
         return true;
-    return stem.size() == 4 && (stem.startsWith(QStringLiteral("COM")) || stem.startsWith(QStringLiteral("LPT"))) && stem[3] >= u'1' && stem[3] <= u'9';
+    return stem.size() == 4 &&
+           (stem.startsWith(QStringLiteral("COM")) || stem.startsWith(QStringLiteral("LPT"))) &&
+           stem[3] >= u'1' && stem[3] <= u'9';
 }
 
 } // namespace

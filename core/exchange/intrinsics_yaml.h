@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/files/output_guard.h"
+#include "core/files/output_file.h"
 #include "core/geometry/camera_model.h"
 
 #include <filesystem>

@@ -1,12 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/labelled_points.h"
 
-#include "core/exchange/csv_table.h"
+#include "core/base/error.h"
+#include "core/base/units.h"
+#include "core/exchange/internal/delimited_text.h"
 #include "core/exchange/text_file.h"
+#include "core/files/output_file.h"
 
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <limits>
 #include <map>
+#include <string>
+#include <vector>
 
 namespace odo {
+
+struct LabelledPoint
+{
+    std::string label;
+    double x = 0, y = 0; ///< in the file's unit
+};
+
+/// Reads a CSV file with a column of labels and two of numbers, whose names are given. Refuses, naming the
+/// line: labels that are empty or there twice, numbers that are none; and a file without points.
+Result<std::vector<LabelledPoint>> readLabelledPoints(const std::filesystem::path &file,
+                                                      const std::vector<std::string> &columns);
 
 Result<std::vector<LabelledPoint>> readLabelledPoints(const std::filesystem::path &file,
                                                       const std::vector<std::string> &columns)
@@ -38,6 +58,89 @@ Result<std::vector<LabelledPoint>> readLabelledPoints(const std::filesystem::pat
     if (points.empty())
         return fail(ErrorCode::InvalidInput, atLine(file, 1), "there are no markers below the header",
                     "write one line for each marker");
+    return points;
+}
+
+namespace {
+
+/// The millimetres that are read back as the same metres: of the shortest text of any rounding, since a
+/// product and the quotient that it came from may differ in the last bit.
+std::string millimetreText(double metres)
+{
+    const double nearest = toMillimetres(metres);
+    for (int digits = 1; digits <= std::numeric_limits<double>::max_digits10; ++digits) {
+        std::array<char, 40> text{};
+        const auto end = std::to_chars(text.data(), text.data() + text.size(), nearest,
+                                       std::chars_format::general, digits);
+        double rounded = 0;
+        std::from_chars(text.data(), end.ptr, rounded);
+        if (fromMillimetres(rounded) == metres)
+            return numberText(rounded);
+    }
+    return numberText(nearest);
+}
+
+} // namespace
+
+Result<MarkerLayout> readLayoutCsv(const std::filesystem::path &file)
+{
+    const auto points = readLabelledPoints(file, {"label", "x_mm", "y_mm"});
+    if (!points)
+        return tl::unexpected(points.error());
+    MarkerLayout layout;
+    for (const LabelledPoint &point : *points)
+        layout.markers.push_back({point.label, {fromMillimetres(point.x), fromMillimetres(point.y)}});
+    return layout;
+}
+
+Result<void> writeLayoutCsv(const OutputTarget &target, const MarkerLayout &layout)
+{
+    std::string text = "label,x_mm,y_mm\n";
+    for (const Marker &marker : layout.markers)
+        text += csvText(marker.label, ',') + ',' + millimetreText(marker.pointInWorld.x()) + ',' +
+                millimetreText(marker.pointInWorld.y()) + '\n';
+    return writeOutput(target, text);
+}
+
+Result<std::vector<MarkerPixel>> readPixelsCsv(const std::filesystem::path &file)
+{
+    const auto points = readLabelledPoints(file, {"label", "u", "v"});
+    if (!points)
+        return tl::unexpected(points.error());
+    std::vector<MarkerPixel> pixels;
+    for (const LabelledPoint &point : *points)
+        pixels.push_back({point.label, {point.x, point.y}});
+    return pixels;
+}
+
+Result<std::vector<SharedPoint>> readSharedPointsCsv(const std::filesystem::path &file)
+{
+    const std::vector<std::string> columns{"label", "u", "v", "through_u", "through_v"};
+    const auto rows = readCsvTable(file, columns);
+    if (!rows)
+        return tl::unexpected(rows.error());
+    std::vector<SharedPoint> points;
+    std::map<std::string, int> lineOfLabel;
+    for (const CsvRow &row : *rows) {
+        const std::string &label = row.cells[0];
+        if (label.empty())
+            return fail(ErrorCode::InvalidInput, atLine(file, row.line), "the label is empty",
+                        "give each point a label");
+        const auto [earlier, isNew] = lineOfLabel.emplace(label, row.line);
+        if (!isNew)
+            return fail(ErrorCode::InvalidInput, atLine(file, row.line),
+                        "the label '" + label + "' is in line " + std::to_string(earlier->second) +
+                            " already",
+                        "give each point a label of its own");
+        std::array<double, 4> numbers{};
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            const auto number = csvNumber(file, row, i + 1, columns[i + 1]);
+            if (!number)
+                return tl::unexpected(number.error());
+            numbers[i] = *number;
+        }
+        points.push_back({label, {numbers[0], numbers[1]}, {numbers[2], numbers[3]}});
+    }
     return points;
 }
 

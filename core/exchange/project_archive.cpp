@@ -2,8 +2,8 @@
 #include "core/exchange/project_archive.h"
 
 #include "core/base/file_system.h"
-#include "core/files/protected_files.h"
 #include "core/files/output_file.h"
+#include "core/files/protected_files.h"
 
 #include <algorithm>
 #include <archive.h>
@@ -13,9 +13,9 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <fstream>
 #include <memory>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace odo {
@@ -24,7 +24,8 @@ namespace {
 
 constexpr std::size_t blockBytes = 1 << 16;
 constexpr std::size_t mostEntries = 1'000'000;
-/// What may be unpacked for each byte of the archive, and in any case: videos do not shrink, projects to a twentieth.
+/// What may be unpacked for each byte of the archive, and in any case: videos do not shrink, projects to a
+/// twentieth.
 constexpr std::uintmax_t mostGrowth = 100, alwaysAllowedBytes = 16 << 20;
 constexpr const char *roomAdvice = "check the free space and the rights of its folder";
 

@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/job_control.h"
-#include "core/files/output_guard.h"
+#include "core/files/output_file.h"
 
 #include <filesystem>
 #include <string>
@@ -21,8 +21,8 @@ struct ArchiveEntry
     std::filesystem::path file;
 };
 
-/// Writes an archive as an OutputFile. Any thread; long. Errors: those of OutputFile; Io with the file at fault, Cancelled; nothing is left
-/// behind then.
+/// Writes an archive as an OutputFile. Any thread; long. Errors: those of OutputFile; Io with the file at
+/// fault, Cancelled; nothing is left behind then.
 Result<void> writeArchive(const OutputTarget &archive, const std::vector<ArchiveEntry> &entries,
                           const JobControl &control);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/roster_csv.h"
 
-#include "core/exchange/csv_table.h"
+#include "core/exchange/internal/delimited_text.h"
 #include "core/exchange/text_file.h"
 
 #include <algorithm>
@@ -18,7 +18,8 @@ std::optional<std::size_t> columnOf(const CsvRow &header, const std::string &nam
 {
     for (std::size_t i = 0; i < header.cells.size(); ++i) {
         std::string cell = header.cells[i];
-        std::ranges::transform(cell, cell.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        std::ranges::transform(cell, cell.begin(),
+                               [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
         if (cell == name)
             return i;
     }
@@ -67,12 +68,14 @@ Result<std::vector<RosterEntry>> readRosterCsv(const std::filesystem::path &file
     if (rows->empty())
         return fail(ErrorCode::InvalidInput, atLine(file, 1), "the file is empty", advice);
     const CsvRow &header = rows->front();
-    const auto className = columnOf(header, "class"), team = columnOf(header, "team"), pseudonym = columnOf(header, "pseudonym"),
-               members = columnOf(header, "members");
+    const auto className = columnOf(header, "class"), team = columnOf(header, "team"),
+               pseudonym = columnOf(header, "pseudonym"), members = columnOf(header, "members");
     if (!className || !team) {
-        const bool semicolons = header.cells.size() == 1 && header.cells.front().find(';') != std::string::npos;
+        const bool semicolons =
+            header.cells.size() == 1 && header.cells.front().find(';') != std::string::npos;
         return fail(ErrorCode::InvalidInput, atLine(file, header.line),
-                    semicolons ? "its columns are separated by semicolons" : "it lacks the column " + std::string(className ? "team" : "class"),
+                    semicolons ? "its columns are separated by semicolons"
+                               : "it lacks the column " + std::string(className ? "team" : "class"),
                     semicolons ? std::string("save it with commas") : advice);
     }
     const std::string what = "roster '" + file.filename().string() + "'";
@@ -81,20 +84,24 @@ Result<std::vector<RosterEntry>> readRosterCsv(const std::filesystem::path &file
     std::map<std::string, int> lineOf;
     for (std::size_t i = 1; i < rows->size(); ++i) {
         const CsvRow &row = (*rows)[i];
-        RosterEntry entry{row.line, cellOf(row, className), cellOf(row, team), cellOf(row, pseudonym), partsOf(cellOf(row, members))};
+        RosterEntry entry{row.line, cellOf(row, className), cellOf(row, team), cellOf(row, pseudonym),
+                          partsOf(cellOf(row, members))};
         const std::string line = "line " + std::to_string(row.line);
         if (entry.team.empty())
             bad.push_back(line + " has no team");
         else if (entry.className.empty())
             bad.push_back(line + " has no class for team '" + entry.team + "'");
         else if (const auto [first, isNew] = lineOf.try_emplace(entry.team, row.line); !isNew)
-            bad.push_back(line + " names team '" + entry.team + "' again, as line " + std::to_string(first->second));
+            bad.push_back(line + " names team '" + entry.team + "' again, as line " +
+                          std::to_string(first->second));
         entries.push_back(std::move(entry));
     }
     if (!bad.empty())
-        return fail(ErrorCode::InvalidInput, what, joinedLines(bad), "mend these lines; nothing was imported");
+        return fail(ErrorCode::InvalidInput, what, joinedLines(bad),
+                    "mend these lines; nothing was imported");
     if (entries.empty())
-        return fail(ErrorCode::InvalidInput, what, "it has no team", "write a line with class and team below the header");
+        return fail(ErrorCode::InvalidInput, what, "it has no team",
+                    "write a line with class and team below the header");
     return entries;
 }
 

@@ -9,7 +9,8 @@ namespace odo {
 
 namespace {
 
-/// Writes the fields of one message (Protocol Buffers' encoding: a tag of number and wire type, then the value).
+/// Writes the fields of one message (Protocol Buffers' encoding: a tag of number and wire type, then the
+/// value).
 class Message
 {
 public:

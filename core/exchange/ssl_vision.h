@@ -9,15 +9,16 @@
 namespace odo {
 
 /// Positions as the RoboCup Small Size League's vision sends them (SSL-Vision): SSL_WrapperPacket with one
-/// SSL_DetectionFrame, proto2, by the field numbers of messages_robocup_ssl_detection.proto. Pure; any thread.
+/// SSL_DetectionFrame, proto2, by the field numbers of messages_robocup_ssl_detection.proto. Pure; any
+/// thread.
 
 struct SslRobot
 {
     bool isYellow = true; ///< else blue
     std::uint32_t id = 0; ///< among those of its colour
     double confidence = 1;
-    double xM = 0, yM = 0; ///< world frame; sent in millimetres
-    std::optional<double> yawRad; ///< about Z, from X to Y
+    double xM = 0, yM = 0;         ///< world frame; sent in millimetres
+    std::optional<double> yawRad;  ///< about Z, from X to Y
     std::optional<double> heightM; ///< of the robot's top; sent in millimetres
 };
 
@@ -29,7 +30,8 @@ struct SslFrame
     std::vector<SslRobot> robots;
 };
 
-/// The bytes of one packet. The pixels that the format demands of every robot are 0: a place may come of several views.
+/// The bytes of one packet. The pixels that the format demands of every robot are 0: a place may come of
+/// several views.
 std::string sslVisionPacket(const SslFrame &frame);
 
 } // namespace odo

@@ -2,8 +2,8 @@
 #include "core/exchange/task_file.h"
 
 #include "core/base/units.h"
+#include "core/exchange/internal/yaml_document.h"
 #include "core/exchange/text_file.h"
-#include "core/exchange/yaml_document.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,8 @@ public:
     {
         if (root.kind != Kind::Mapping)
             return failure(root.line, "the file holds no task");
-        if (auto known = onlyKeys(root, {"template", "gates", "reference_path", "limits", "zones", "name"}); !known)
+        if (auto known = onlyKeys(root, {"template", "gates", "reference_path", "limits", "zones", "name"});
+            !known)
             return tl::unexpected(known.error());
         Task task;
         for (const auto &[key, node] : root.entries) {
@@ -184,7 +185,8 @@ private:
             into.path = *path;
         }
         if (curves != 1)
-            return failure(node.line, "the reference path is given " + std::string(curves == 0 ? "by nothing" : "twice"),
+            return failure(node.line,
+                           "the reference path is given " + std::string(curves == 0 ? "by nothing" : "twice"),
                            "give one of points_mm, circle, figure_eight or slalom");
         if (auto valid = checkReferencePath(into.path); !valid)
             return at(node.line, valid.error());
@@ -296,7 +298,8 @@ private:
         if (corners)
             return Zone{(*name)->text, *parsed, std::move(*read)};
         if (read->size() != 2)
-            return failure(rectangle->line, "'rectangle_mm' is not two corners", "give two opposite corners: [[x, y], [x, y]]");
+            return failure(rectangle->line, "'rectangle_mm' is not two corners",
+                           "give two opposite corners: [[x, y], [x, y]]");
         return rectangularZone((*name)->text, *parsed, read->front(), read->back());
     }
 

@@ -19,17 +19,22 @@ struct TextFile::Impl
 
     tl::unexpected<Error> tooLarge() const
     {
-        return fail(ErrorCode::InvalidInput, what, "it is larger than " + std::to_string(maxBytes / 1024) + " KiB", "check that it is the right file");
+        return fail(ErrorCode::InvalidInput, what,
+                    "it is larger than " + std::to_string(maxBytes / 1024) + " KiB",
+                    "check that it is the right file");
     }
 
     /// A character may begin in one block and end in the next.
     Result<void> checkEncoding(const QByteArray &block, bool isLast)
     {
         if (count == 0 && (block.startsWith("\xff\xfe") || block.startsWith("\xfe\xff")))
-            return fail(ErrorCode::InvalidInput, what, "it is written in UTF-16", "save it again as \"CSV UTF-8\" or as a UTF-8 text");
-        static_cast<void>(QString(decoder(isLast ? QByteArrayLiteral("\n") : block))); // what was begun must have ended before
+            return fail(ErrorCode::InvalidInput, what, "it is written in UTF-16",
+                        "save it again as \"CSV UTF-8\" or as a UTF-8 text");
+        // what was begun must have ended before
+        static_cast<void>(QString(decoder(isLast ? QByteArrayLiteral("\n") : block)));
         if (decoder.hasError() || block.contains('\0'))
-            return fail(ErrorCode::InvalidInput, what, "it is not a UTF-8 text file", "save it again as UTF-8 text");
+            return fail(ErrorCode::InvalidInput, what, "it is not a UTF-8 text file",
+                        "save it again as UTF-8 text");
         return {};
     }
 };
@@ -52,7 +57,9 @@ Result<TextFile> TextFile::open(const std::filesystem::path &file, std::size_t m
         return tl::unexpected(may.error());
     impl->input.setFileName(QString::fromStdString(file.string()));
     if (!impl->input.open(QIODevice::ReadOnly))
-        return fail(ErrorCode::Io, impl->what, "it cannot be read (" + impl->input.errorString().toStdString() + ")", "check that you may read the file");
+        return fail(ErrorCode::Io, impl->what,
+                    "it cannot be read (" + impl->input.errorString().toStdString() + ")",
+                    "check that you may read the file");
     if (static_cast<std::size_t>(impl->input.size()) > maxBytes)
         return impl->tooLarge();
     return TextFile(std::move(impl));
@@ -73,9 +80,15 @@ Result<std::string> TextFile::read()
     return block.toStdString();
 }
 
-std::string TextFile::lineName(int line) const { return atLine(m_impl->input.fileName().toStdString(), line); }
+std::string TextFile::lineName(int line) const
+{
+    return atLine(m_impl->input.fileName().toStdString(), line);
+}
 
-std::size_t TextFile::size() const { return static_cast<std::size_t>(m_impl->input.size()); }
+std::size_t TextFile::size() const
+{
+    return static_cast<std::size_t>(m_impl->input.size());
+}
 
 Result<std::string> readTextFile(const std::filesystem::path &file, std::size_t maxBytes)
 {

@@ -2,18 +2,68 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/exchange/text_sink.h"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace odo {
+
+/// Takes a text piece by piece, so that a long one need not be in memory; an error ends the writing.
+using TextSink = std::function<Result<void>(std::string_view)>;
+
+/// Gathers small pieces before it passes them on. Once something failed, it passes on nothing more.
+class TextPieces
+{
+public:
+    explicit TextPieces(const TextSink &sink) : m_sink(sink) {}
+    void add(std::string_view piece)
+    {
+        constexpr std::size_t enough = 1 << 16;
+        m_text += piece;
+        if (m_text.size() >= enough)
+            flush();
+    }
+    /// All that is left; what failed, if anything did.
+    Result<void> finish()
+    {
+        flush();
+        return m_outcome;
+    }
+
+private:
+    void flush()
+    {
+        if (m_outcome && !m_text.empty())
+            m_outcome = m_sink(m_text);
+        m_text.clear();
+    }
+
+    const TextSink &m_sink;
+    std::string m_text;
+    Result<void> m_outcome;
+};
+
+/// The whole text that a function writes to a sink.
+template <class Write>
+std::string wholeText(const Write &write)
+{
+    std::string text;
+    static_cast<void>(write([&text](std::string_view piece) -> Result<void> {
+        text += piece;
+        return {};
+    }));
+    return text;
+}
 
 /// "dir/a.csv:12": how messages point at a line of an input.
 std::string atLine(const std::filesystem::path &file, int line);
 
-/// A UTF-8 text file that is read block by block, whatever its size; a byte order mark is dropped. One thread at a time.
+/// A UTF-8 text file that is read block by block, whatever its size; a byte order mark is dropped. One thread
+/// at a time.
 class TextFile
 {
 public:
@@ -21,11 +71,11 @@ public:
     static Result<TextFile> open(const std::filesystem::path &file, std::size_t maxBytes);
     ~TextFile();
     TextFile(TextFile &&) noexcept;
-    /// The next block, empty at the end. Refuses what is larger than the limit after all, UTF-16 (with the advice how to save
-    /// it) and bytes that are no text.
+    /// The next block, empty at the end. Refuses what is larger than the limit after all, UTF-16 (with the
+    /// advice how to save it) and bytes that are no text.
     Result<std::string> read();
     std::string lineName(int line) const; ///< atLine
-    std::size_t size() const; ///< bytes, as far as known
+    std::size_t size() const;             ///< bytes, as far as known
 
 private:
     struct Impl;

@@ -1,14 +1,209 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/track_file.h"
 
-#include "core/exchange/delimited_text.h"
+#include "core/base/error.h"
+#include "core/exchange/internal/delimited_text.h"
 #include "core/exchange/text_file.h"
-#include "core/exchange/track_columns.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace odo {
+
+/// A column of numbers with its unit.
+struct UnitColumn
+{
+    std::size_t index = 0;
+    double unit = 1; ///< in seconds or metres
+};
+
+/// Where the columns of one track lie.
+struct TrackColumns
+{
+    std::string name; ///< may be empty
+    UnitColumn x, y;
+    std::optional<UnitColumn> sigmaX, sigmaY;
+};
+
+/// What the header of a table of tracks says.
+struct TrackHeader
+{
+    UnitColumn time;
+    std::vector<TrackColumns> tracks; ///< at least one
+    std::size_t columns = 0;          ///< of them all
+    bool hasUnits = false;            ///< of the time or a place, but for `xNAME`
+};
+
+/// Reads a header: a time (t, time, timestamp) and pairs of x and y, perhaps sigma_x and sigma_y; each with
+/// its unit as `x_mm`, `x [m]`, `x (cm)`, `x/m`, or none (s, m); of more tracks `xNAME` and `yNAME`, or the
+/// names in the line above. Other columns are passed over. nullopt: it is no such header. The Error is the
+/// reason alone, of a unit that is not known.
+std::optional<Result<TrackHeader>> readTrackHeader(const std::vector<std::string_view> &cells,
+                                                   const std::vector<std::string_view> &namesAbove);
+
+namespace {
+
+struct Unit
+{
+    std::string_view name;
+    double inSi;
+};
+constexpr std::array<Unit, 6> timeUnits{
+    {{"s", 1}, {"sec", 1}, {"seconds", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}}};
+constexpr std::array<Unit, 3> lengthUnits{{{"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}}};
+
+/// A header cell: "x [m]" is the quantity x in the unit m.
+struct ColumnName
+{
+    std::string quantity, unit;
+    bool isBracketed = false; ///< its unit; then nothing else can be meant
+};
+
+std::string lowerCase(std::string_view text)
+{
+    std::string lower(text);
+    for (char &c : lower) {
+        if (c >= 'A' && c <= 'Z')
+            c = static_cast<char>(c - 'A' + 'a');
+    }
+    return lower;
+}
+
+ColumnName nameOf(std::string_view cell)
+{
+    const std::string text = lowerCase(withoutBlanks(cell));
+    const std::size_t open = text.find_first_of("[(/");
+    if (open == std::string::npos || open == 0) {
+        const std::size_t underscore = text.rfind('_');
+        if (underscore == std::string::npos)
+            return {text, {}, false};
+        return {text.substr(0, underscore), text.substr(underscore + 1), false};
+    }
+    std::string unit = text.substr(open + 1);
+    if (!unit.empty() && (unit.back() == ']' || unit.back() == ')'))
+        unit.pop_back();
+    return {std::string(withoutBlanks(text.substr(0, open))), std::string(withoutBlanks(unit)), true};
+}
+
+/// The unit of a cell that names one of the quantities; nullopt: it names none of them.
+template <std::size_t count>
+std::optional<Result<double>> unitOf(std::string_view cell,
+                                     std::initializer_list<std::string_view> quantities,
+                                     const std::array<Unit, count> &units)
+{
+    const std::string whole = lowerCase(withoutBlanks(cell));
+    if (std::ranges::find(quantities, whole) != quantities.end())
+        return 1.0;
+    const ColumnName name = nameOf(cell);
+    if (std::ranges::find(quantities, name.quantity) == quantities.end())
+        return std::nullopt;
+    for (const Unit &unit : units) {
+        if (unit.name == name.unit)
+            return unit.inSi;
+    }
+    if (!name.isBracketed)
+        return std::nullopt;
+    return fail(ErrorCode::InvalidInput, {},
+                "its column '" + std::string(cell.substr(0, 40)) + "' is in a unit that is not known",
+                "give times in s or ms and places in m, cm or mm");
+}
+
+/// Finds columns in a row of cells; the first unknown unit stays as the error.
+class ColumnSearch
+{
+public:
+    explicit ColumnSearch(const std::vector<std::string_view> &cells) : m_cells(cells) {}
+
+    template <std::size_t count>
+    std::optional<UnitColumn> find(std::initializer_list<std::string_view> quantities,
+                                   const std::array<Unit, count> &units, std::size_t from, std::size_t to)
+    {
+        for (std::size_t i = from; i < to; ++i) {
+            const auto unit = unitOf(m_cells[i], quantities, units);
+            if (!unit)
+                continue;
+            if (!*unit && !m_error)
+                m_error = unit->error();
+            return UnitColumn{i, unit->value_or(1)};
+        }
+        return std::nullopt;
+    }
+    const std::optional<Error> &error() const { return m_error; }
+
+private:
+    const std::vector<std::string_view> &m_cells;
+    std::optional<Error> m_error;
+};
+
+std::string nameAbove(const std::vector<std::string_view> &names, std::size_t from, std::size_t to)
+{
+    for (std::size_t i = to + 1; i-- > from;) {
+        if (i < names.size() && !names[i].empty())
+            return std::string(names[i]);
+    }
+    return {};
+}
+
+/// Tracker's other way: "xball", "yball".
+std::vector<TrackColumns> namedPairs(const std::vector<std::string_view> &cells)
+{
+    std::vector<TrackColumns> tracks;
+    for (std::size_t i = 0; i + 1 < cells.size(); ++i) {
+        const std::string_view x = cells[i].substr(0, cells[i].find(' ')),
+                               y = cells[i + 1].substr(0, cells[i + 1].find(' '));
+        if (x.size() > 1 && y.size() == x.size() && x[0] == 'x' && y[0] == 'y' &&
+            x.substr(1) == y.substr(1) && x[1] != '_')
+            tracks.push_back({std::string(x.substr(1)), {i, 1}, {i + 1, 1}, {}, {}});
+    }
+    return tracks;
+}
+
+} // namespace
+
+std::optional<Result<TrackHeader>> readTrackHeader(const std::vector<std::string_view> &cells,
+                                                   const std::vector<std::string_view> &namesAbove)
+{
+    ColumnSearch search(cells);
+    TrackHeader header;
+    header.columns = cells.size();
+    const auto time = search.find({"t", "time", "timestamp"}, timeUnits, 0, cells.size());
+    if (!time)
+        return std::nullopt;
+    header.time = *time;
+    for (std::size_t from = 0; from < cells.size();) {
+        const auto x = search.find({"x"}, lengthUnits, from, cells.size());
+        if (!x)
+            break;
+        const auto nextX = search.find({"x"}, lengthUnits, x->index + 1, cells.size());
+        const std::size_t end = nextX ? nextX->index : cells.size();
+        auto y = search.find({"y"}, lengthUnits, x->index + 1, end);
+        if (!y)
+            y = search.find({"y"}, lengthUnits, from, x->index);
+        if (!y)
+            break;
+        header.tracks.push_back({nameAbove(namesAbove, from, x->index), *x, *y,
+                                 search.find({"sigma_x"}, lengthUnits, from, end),
+                                 search.find({"sigma_y"}, lengthUnits, from, end)});
+        from = std::max(x->index, y->index) + 1;
+    }
+    const bool isNamed = header.tracks.empty(); // as only Tracker does it
+    if (isNamed)
+        header.tracks = namedPairs(cells);
+    if (header.tracks.empty())
+        return std::nullopt;
+    if (search.error())
+        return Result<TrackHeader>(tl::unexpected(*search.error()));
+    const auto hasUnit = [&](const UnitColumn &column) {
+        return lowerCase(withoutBlanks(cells[column.index])).find_first_of("_[(/") != std::string::npos;
+    };
+    header.hasUnits = !isNamed && (hasUnit(header.time) || hasUnit(header.tracks.front().x));
+    return Result<TrackHeader>(std::move(header));
+}
 
 namespace {
 
@@ -38,7 +233,8 @@ private:
     Result<TrackFile> readTable(const TrackHeader &header, bool isTracker);
     Result<std::optional<TrackHeader>> headerOf(std::string_view line);
     Result<void> addRow(const TrackHeader &header, std::vector<FileTrack> &tracks);
-    Result<std::optional<ImportedPosition::Pair>> pairOf(const UnitColumn &x, const UnitColumn &y, const char *what);
+    Result<std::optional<ImportedPosition::Pair>> pairOf(const UnitColumn &x, const UnitColumn &y,
+                                                         const char *what);
     Result<void> add(FileTrack &track, const ImportedPosition &position);
     Result<TrackFile> checked(TrackFile file) const;
     Result<double> numberOf(std::size_t cell) const;
@@ -46,7 +242,10 @@ private:
     {
         return fail(ErrorCode::InvalidInput, atLine(m_file, std::max(1, m_lines.number())), why, advice);
     }
-    std::string shown(std::size_t cell) const { return '\'' + std::string(m_cells[cell].substr(0, 40)) + '\''; }
+    std::string shown(std::size_t cell) const
+    {
+        return '\'' + std::string(m_cells[cell].substr(0, 40)) + '\'';
+    }
     Result<bool> nextLine();
 
     const std::filesystem::path &m_file;
@@ -54,7 +253,7 @@ private:
     std::string_view m_line; ///< that is read
     const JobControl &m_control;
     char m_delimiter = ' ';
-    std::size_t m_places = 0; ///< of all tracks
+    std::size_t m_places = 0;              ///< of all tracks
     std::vector<std::string_view> m_cells; ///< of the line
     std::string m_lineAbove;               ///< the one above the header
     std::vector<std::string_view> m_above; ///< its cells
@@ -79,7 +278,8 @@ Result<double> TrackReader::numberOf(std::size_t cell) const
 {
     const auto number = cellNumber(m_cells[cell], m_delimiter);
     if (!number)
-        return wrong(shown(cell) + " is not a finite number", "write it with digits, like 12.5, or leave the place blank");
+        return wrong(shown(cell) + " is not a finite number",
+                     "write it with digits, like 12.5, or leave the place blank");
     return *number;
 }
 
@@ -89,10 +289,12 @@ Result<void> TrackReader::add(FileTrack &track, const ImportedPosition &position
     if (!track.positions.empty()) {
         const Nanoseconds before = track.positions.back().time;
         if (position.time <= before)
-            return wrong(position.time == before ? "its time is that of the line before" : "its time is before that of the line before",
+            return wrong(position.time == before ? "its time is that of the line before"
+                                                 : "its time is before that of the line before",
                          "put the lines in the order of time, each time once");
         if (position.time - track.positions.front().time > longest)
-            return wrong("it is more than a week after the first line", "check the unit of the times, and that all lines are of one run");
+            return wrong("it is more than a week after the first line",
+                         "check the unit of the times, and that all lines are of one run");
     }
     if (position.position && position.position->cwiseAbs().maxCoeff() > mostM)
         return wrong("its place is more than 100 km away", "check the unit of the places: m, cm or mm");
@@ -105,15 +307,16 @@ Result<void> TrackReader::add(FileTrack &track, const ImportedPosition &position
 Result<TrackFile> TrackReader::checked(TrackFile file) const
 {
     for (const FileTrack &track : file.tracks) {
-        const auto count = static_cast<std::size_t>(
-            std::ranges::count_if(track.positions, [](const ImportedPosition &one) { return one.position.has_value(); }));
+        const auto count = static_cast<std::size_t>(std::ranges::count_if(
+            track.positions, [](const ImportedPosition &one) { return one.position.has_value(); }));
         if (count < leastPositions && (file.tracks.size() == 1 || count > 0))
-            return wrong((track.name.empty() ? "the track" : "track '" + track.name + "'") + " has " + std::to_string(count) +
-                             (count == 1 ? " position" : " positions"),
+            return wrong((track.name.empty() ? "the track" : "track '" + track.name + "'") + " has " +
+                             std::to_string(count) + (count == 1 ? " position" : " positions"),
                          "choose a file with three positions or more");
     }
     std::erase_if(file.tracks, [](const FileTrack &track) {
-        return std::ranges::none_of(track.positions, [](const ImportedPosition &one) { return one.position.has_value(); });
+        return std::ranges::none_of(track.positions,
+                                    [](const ImportedPosition &one) { return one.position.has_value(); });
     });
     if (file.tracks.empty())
         return wrong("none of its tracks has a position", "choose a file with three positions or more");
@@ -132,8 +335,10 @@ Result<TrackFile> TrackReader::readTum()
             continue;
         splitCells(content, ' ', m_cells);
         if (m_cells.size() != tumEntries)
-            return wrong("it has " + std::to_string(m_cells.size()) + (m_cells.size() == 1 ? " entry" : " entries") + " instead of the 8 of TUM",
-                         "write " + std::string(tumMark) + ", or begin the file with the line " + std::string(csvMark));
+            return wrong("it has " + std::to_string(m_cells.size()) +
+                             (m_cells.size() == 1 ? " entry" : " entries") + " instead of the 8 of TUM",
+                         "write " + std::string(tumMark) + ", or begin the file with the line " +
+                             std::string(csvMark));
         for (std::size_t cell = 1; cell < tumEntries; ++cell) {
             if (auto number = numberOf(cell); !number)
                 return tl::unexpected(number.error());
@@ -141,7 +346,8 @@ Result<TrackFile> TrackReader::readTum()
         const auto time = cellTime(m_cells[0], m_delimiter, 1);
         if (!time)
             return wrong(shown(0) + " is not a time in seconds", "write it with digits, like 12.5");
-        if (auto added = add(file.tracks[0], {*time, Eigen::Vector2d(*numberOf(1), *numberOf(2)), {}}); !added)
+        if (auto added = add(file.tracks[0], {*time, Eigen::Vector2d(*numberOf(1), *numberOf(2)), {}});
+            !added)
             return tl::unexpected(added.error());
     }
     return checked(std::move(file));
@@ -163,7 +369,8 @@ Result<std::optional<TrackHeader>> TrackReader::headerOf(std::string_view line)
 }
 
 /// A pair of cells in metres; nullopt where both are blank.
-Result<std::optional<ImportedPosition::Pair>> TrackReader::pairOf(const UnitColumn &x, const UnitColumn &y, const char *what)
+Result<std::optional<ImportedPosition::Pair>> TrackReader::pairOf(const UnitColumn &x, const UnitColumn &y,
+                                                                  const char *what)
 {
     if (m_cells[x.index].empty() && m_cells[y.index].empty())
         return std::nullopt;
@@ -180,7 +387,8 @@ Result<void> TrackReader::addRow(const TrackHeader &header, std::vector<FileTrac
 {
     const bool hasMore = m_cells.size() == header.columns + 1 && m_cells.back().empty();
     if (m_cells.size() != header.columns && !hasMore)
-        return wrong("it has " + std::to_string(m_cells.size()) + (m_cells.size() == 1 ? " cell" : " cells") + " where the header has " + std::to_string(header.columns),
+        return wrong("it has " + std::to_string(m_cells.size()) + (m_cells.size() == 1 ? " cell" : " cells") +
+                         " where the header has " + std::to_string(header.columns),
                      "give each line as many cells as the header");
     const auto time = cellTime(m_cells[header.time.index], m_delimiter, header.time.unit);
     if (!time)
@@ -228,7 +436,8 @@ bool beginsAsNumber(std::string_view line)
     const std::string_view content = withoutBlanks(line);
     std::vector<std::string_view> cells;
     splitCells(content, delimiterOf(content), cells);
-    return !cells.empty() && (cellNumber(cells[0], delimiterOf(content)) || cells[0] == "nan" || cells[0] == "NaN");
+    return !cells.empty() &&
+           (cellNumber(cells[0], delimiterOf(content)) || cells[0] == "nan" || cells[0] == "NaN");
 }
 
 Result<TrackFile> TrackReader::read()
@@ -263,8 +472,10 @@ Result<TrackFile> TrackReader::read()
             break;
     }
     const bool isEmpty = m_lines.number() == 0;
-    return wrong(isEmpty ? "the file is empty" : "it has no header with a time, x and y, and is no TUM either",
-                 "begin the file with the line " + std::string(csvMark) + ", or write lines of " + std::string(tumMark));
+    return wrong(isEmpty ? "the file is empty"
+                         : "it has no header with a time, x and y, and is no TUM either",
+                 "begin the file with the line " + std::string(csvMark) + ", or write lines of " +
+                     std::string(tumMark));
 }
 
 } // namespace

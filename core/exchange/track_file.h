@@ -27,14 +27,16 @@ struct FileTrack
 struct TrackFile
 {
     TrackFormat format = TrackFormat::Csv;
-    std::vector<FileTrack> tracks; ///< at least one, each with three positions or more; only Tracker text has several
+    /// at least one, each with three positions or more; only Tracker text has several
+    std::vector<FileTrack> tracks;
 };
 
-/// Reads a file of finished tracks and tells by its content what it is: TUM (`timestamp tx ty tz qx qy qz qw`), a table with a
-/// header (readTrackHeader; parted by tabs, `;`, `,` or blanks, decimals with a point or comma), or Tracker's text. Metres and seconds, as they
-/// stand there: times are not counted anew. At most 256 MiB. Any thread; asks for cancellation. Errors, with file and
-/// line: no such content, a wrong number of cells, a value that is no finite number, times that do not increase, a place
-/// beyond 100 km, a track over more than a week or with fewer than three positions.
+/// Reads a file of finished tracks and tells by its content what it is: TUM (`timestamp tx ty tz qx qy qz
+/// qw`), a table with a header (readTrackHeader; parted by tabs, `;`, `,` or blanks, decimals with a point or
+/// comma), or Tracker's text. Metres and seconds, as they stand there: times are not counted anew. At most
+/// 256 MiB. Any thread; asks for cancellation. Errors, with file and line: no such content, a wrong number of
+/// cells, a value that is no finite number, times that do not increase, a place beyond 100 km, a track over
+/// more than a week or with fewer than three positions.
 Result<TrackFile> readTrackFile(const std::filesystem::path &file, const JobControl &control);
 
 } // namespace odo

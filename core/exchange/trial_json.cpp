@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/trial_json.h"
 
-#include "core/trajectory/heading.h"
+#include "core/analysis/quantity_curve.h"
 
 #include <QDateTime>
 #include <QJsonArray>
@@ -157,7 +157,9 @@ void addColumn(TextPieces &text, const char *name, std::size_t count, const Valu
         if (i > 0)
             text.add(",");
         const std::optional<double> number = value(i);
-        text.add(number && std::isfinite(*number) ? QByteArray::number(*number, 'g', QLocale::FloatingPointShortest).toStdString() : "null");
+        text.add(number && std::isfinite(*number)
+                     ? QByteArray::number(*number, 'g', QLocale::FloatingPointShortest).toStdString()
+                     : "null");
     }
     text.add("]");
 }
@@ -169,8 +171,10 @@ void addHeadings(TextPieces &text, const Profile &profile)
     using Number = std::optional<double>;
     const auto headings = headingsOf(profile.points);
     const std::size_t count = profile.points.size();
-    addColumn(text, "heading_rad", count, [&](std::size_t i) { return headings[i] ? Number(headings[i]->radians) : std::nullopt; });
-    addColumn(text, "sigma_heading_rad", count, [&](std::size_t i) { return headings[i] ? headings[i]->sigmaRad : std::nullopt; });
+    addColumn(text, "heading_rad", count,
+              [&](std::size_t i) { return headings[i] ? Number(headings[i]->radians) : std::nullopt; });
+    addColumn(text, "sigma_heading_rad", count,
+              [&](std::size_t i) { return headings[i] ? headings[i]->sigmaRad : std::nullopt; });
     addColumn(text, "turn_rate_rad_s", count, [&](std::size_t i) {
         const auto course = courseOf(profile.points[i]);
         return course ? Number(course->turnRateRadps) : std::nullopt;
@@ -191,12 +195,17 @@ void addColumns(TextPieces &text, const Profile &profile)
         if (i > 0)
             text.add(",");
         const SampleFlags flags = profile.samples[i].flags;
-        text.add(flags == 0 ? "[]" : QJsonDocument(flagsOf(flags)).toJson(QJsonDocument::Compact).toStdString());
+        text.add(flags == 0 ? "[]"
+                            : QJsonDocument(flagsOf(flags)).toJson(QJsonDocument::Compact).toStdString());
     }
     text.add("]");
-    addColumn(text, "t_s", count, [&](std::size_t i) { return Number(static_cast<double>(profile.samples[i].time.count()) / 1e9); });
+    addColumn(text, "t_s", count, [&](std::size_t i) {
+        return Number(static_cast<double>(profile.samples[i].time.count()) / 1e9);
+    });
     const auto addCurve = [&](const char *name, auto value) {
-        addColumn(text, name, count, [&](std::size_t i) { return profile.points[i].valid ? Number(value(profile.points[i])) : std::nullopt; });
+        addColumn(text, name, count, [&](std::size_t i) {
+            return profile.points[i].valid ? Number(value(profile.points[i])) : std::nullopt;
+        });
     };
     addCurve("x_m", [](const ProfilePoint &p) { return p.position.x(); });
     addCurve("y_m", [](const ProfilePoint &p) { return p.position.y(); });
@@ -212,16 +221,22 @@ void addColumns(TextPieces &text, const Profile &profile)
     addCurve("sigma_accel_m_s2", [](const ProfilePoint &p) { return p.sigmaAccelMps2; });
     addHeadings(text, profile);
     for (int axis : {0, 1})
-        addColumn(text, axis == 0 ? "raw_x_m" : "raw_y_m", count,
-                  [&](std::size_t i) { return profile.samples[i].position ? Number((*profile.samples[i].position)[axis]) : std::nullopt; });
+        addColumn(text, axis == 0 ? "raw_x_m" : "raw_y_m", count, [&](std::size_t i) {
+            return profile.samples[i].position ? Number((*profile.samples[i].position)[axis]) : std::nullopt;
+        });
     text.add("\n}");
 }
 
-/// Where the columns of a robot belong in the document; a name of a user cannot be that, for it has a control character.
-QString columnsMark(std::size_t robot) { return QStringLiteral("\u0001columns %1").arg(robot); }
+/// Where the columns of a robot belong in the document; a name of a user cannot be that, for it has a control
+/// character.
+QString columnsMark(std::size_t robot)
+{
+    return QStringLiteral("\u0001columns %1").arg(robot);
+}
 
 QByteArray withoutColumns(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings,
-                          std::span<const AnalysisRecord> analyses, const std::vector<ImportedTrack> &imported)
+                          std::span<const AnalysisRecord> analyses,
+                          const std::vector<ImportedTrack> &imported)
 {
     QJsonArray views, robots;
     for (const RecordingRecord &recording : recordings)
@@ -244,7 +259,8 @@ QByteArray withoutColumns(const TrialRecord &trial, const std::vector<RecordingR
 } // namespace
 
 Result<void> writeTrialJson(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings,
-                            std::span<const AnalysisRecord> analyses, const std::vector<ImportedTrack> &imported, const TextSink &sink)
+                            std::span<const AnalysisRecord> analyses,
+                            const std::vector<ImportedTrack> &imported, const TextSink &sink)
 {
     const std::string document = withoutColumns(trial, recordings, analyses, imported).toStdString();
     TextPieces text(sink);
@@ -263,7 +279,8 @@ Result<void> writeTrialJson(const TrialRecord &trial, const std::vector<Recordin
 std::string trialJson(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings,
                       const std::vector<AnalysisRecord> &analyses, const std::vector<ImportedTrack> &imported)
 {
-    return wholeText([&](const TextSink &sink) { return writeTrialJson(trial, recordings, analyses, imported, sink); });
+    return wholeText(
+        [&](const TextSink &sink) { return writeTrialJson(trial, recordings, analyses, imported, sink); });
 }
 
 } // namespace odo

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/exchange/text_sink.h"
+#include "core/exchange/text_file.h"
 #include "core/project/records.h"
 
 #include <span>
@@ -11,13 +11,14 @@
 namespace odo {
 
 /// A whole trial as one JSON document named "odograph.trial" with a version: trial,
-/// synchronisation, views, and for each robot its provenance, metrics, times at gates, spikes, and the columns of the CSV
-/// export. What is missing is null.
+/// synchronisation, views, and for each robot its provenance, metrics, times at gates, spikes, and the
+/// columns of the CSV export. What is missing is null.
 std::string trialJson(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings,
                       const std::vector<AnalysisRecord> &analyses,
                       const std::vector<ImportedTrack> &imported = {});
 /// The same to a sink, with as little in memory as one column's headings.
 Result<void> writeTrialJson(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings,
-                            std::span<const AnalysisRecord> analyses, const std::vector<ImportedTrack> &imported, const TextSink &sink);
+                            std::span<const AnalysisRecord> analyses,
+                            const std::vector<ImportedTrack> &imported, const TextSink &sink);
 
 } // namespace odo

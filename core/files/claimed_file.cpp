@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/claimed_file.h"
 
-#include "core/files/descriptor.h"
 #include "core/files/temporary.h"
 
 #include <cerrno>
@@ -23,7 +22,8 @@ std::error_code systemError(int number)
     return {number, std::generic_category()};
 }
 
-std::filesystem::path numbered(const std::filesystem::path &folder, const std::string &stem, const std::string &ending, int number)
+std::filesystem::path numbered(const std::filesystem::path &folder, const std::string &stem,
+                               const std::string &ending, int number)
 {
     return folder / (number == 1 ? stem + ending : stem + "_" + std::to_string(number) + ending);
 }
@@ -46,7 +46,8 @@ ClaimedFile::ClaimedFile(std::filesystem::path path, int descriptor, Made made)
 }
 
 ClaimedFile::ClaimedFile(ClaimedFile &&other) noexcept
-    : m_path(std::move(other.m_path)), m_descriptor(std::exchange(other.m_descriptor, -1)), m_isOurs(other.m_isOurs), m_goes(other.m_goes)
+    : m_path(std::move(other.m_path)), m_descriptor(std::exchange(other.m_descriptor, -1)),
+      m_isOurs(other.m_isOurs), m_goes(other.m_goes)
 {
 }
 
@@ -83,7 +84,8 @@ void ClaimedFile::remove()
     close();
 }
 
-ClaimedFile::Outcome<ClaimedFile> ClaimedFile::create(const std::filesystem::path &folder, const std::string &stem, const std::string &ending)
+ClaimedFile::Outcome<ClaimedFile> ClaimedFile::create(const std::filesystem::path &folder,
+                                                      const std::string &stem, const std::string &ending)
 {
     for (int number = 1;;) {
         const std::filesystem::path path = numbered(folder, stem, ending, number);
@@ -95,7 +97,7 @@ ClaimedFile::Outcome<ClaimedFile> ClaimedFile::create(const std::filesystem::pat
         if (descriptor < 0)
             return tl::unexpected(systemError(errno));
         ClaimedFile file(path, descriptor, Made::Here);
-        lock(descriptor, LOCK_EX); // waits for who looks whether it is held
+        lock(descriptor, LOCK_EX);  // waits for who looks whether it is held
         if (isAt(path, descriptor)) // who removes stray files may have been faster
             return file;
     }

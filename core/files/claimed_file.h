@@ -10,21 +10,27 @@
 
 namespace odo {
 
-/// A file that nobody else works on: a new one under a name that no file had, or one that is there and is not to go away meanwhile. A name
-/// is claimed by giving it to a file, which fails where another one has it, never by asking whether it is free: two programs never
-/// get the same. A claim is a lock (flock(2)) that ends with this object or its program, however that ends (HeldFile::isHeld tells). A new file
-/// is removed by the destructor unless it is kept: that file, and never another one under its name. Not through links. One thread.
+/// A file that nobody else works on: a new one under a name that no file had, or one that is there and is not
+/// to go away meanwhile. A name is claimed by giving it to a file, which fails where another one has it,
+/// never by asking whether it is free: two programs never get the same. A claim is a lock (flock(2)) that
+/// ends with this object or its program, however that ends (HeldFile::isHeld tells). A new file is removed by
+/// the destructor unless it is kept: that file, and never another one under its name. Not through links. One
+/// thread.
 class ClaimedFile
 {
 public:
     template <class T>
     using Outcome = tl::expected<T, std::error_code>;
 
-    /// A new empty file: STEM + ENDING, STEM_2 + ENDING ..., the first that nobody has, however the file system compares names.
-    static Outcome<ClaimedFile> create(const std::filesystem::path &folder, const std::string &stem, const std::string &ending);
-    /// A new empty file under a name that nobody can foresee and that says that it is in the making (".new-XXXXXX.part"); publish() gives it its own.
+    /// A new empty file: STEM + ENDING, STEM_2 + ENDING ..., the first that nobody has, however the file
+    /// system compares names.
+    static Outcome<ClaimedFile> create(const std::filesystem::path &folder, const std::string &stem,
+                                       const std::string &ending);
+    /// A new empty file under a name that nobody can foresee and that says that it is in the making
+    /// (".new-XXXXXX.part"); publish() gives it its own.
     static Outcome<ClaimedFile> begin(const std::filesystem::path &folder);
-    /// One that is there. Several may hold it, and none may remove it. std::errc::resource_unavailable_try_again where somebody writes or removes it.
+    /// One that is there. Several may hold it, and none may remove it.
+    /// std::errc::resource_unavailable_try_again where somebody writes or removes it.
     static Outcome<ClaimedFile> hold(const std::filesystem::path &file);
 
     ClaimedFile() = default; ///< of nothing

@@ -47,7 +47,8 @@ std::size_t cellCount(std::string_view line, char delimiter)
     return count;
 }
 
-/// Whether the text begins with a row of names without blanks, and a second row of as many cells if there is one.
+/// Whether the text begins with a row of names without blanks, and a second row of as many cells if there is
+/// one.
 bool isCsv(std::string_view text)
 {
     const auto [header, rest] = firstLine(text);
@@ -111,8 +112,9 @@ FileKind kindOf(std::string_view start)
     if (start.empty())
         return FileKind::Empty;
     if (start.starts_with(sqliteMagic))
-        return start.size() > sqliteIdOffset && start.substr(sqliteIdOffset).starts_with(projectId) ? FileKind::Project
-                                                                                                  : FileKind::Database;
+        return start.size() > sqliteIdOffset && start.substr(sqliteIdOffset).starts_with(projectId)
+                   ? FileKind::Project
+                   : FileKind::Database;
     for (const Signature &signature : signatures)
         if (start.size() > signature.offset && start.substr(signature.offset).starts_with(signature.bytes))
             return signature.kind;
@@ -121,7 +123,9 @@ FileKind kindOf(std::string_view start)
 
 bool isSameKind(FileKind a, FileKind b)
 {
-    const auto isTable = [](FileKind kind) { return kind == FileKind::Csv || kind == FileKind::Tum || kind == FileKind::Tracker; };
+    const auto isTable = [](FileKind kind) {
+        return kind == FileKind::Csv || kind == FileKind::Tum || kind == FileKind::Tracker;
+    };
     return a == b || (isTable(a) && isTable(b));
 }
 
@@ -129,7 +133,8 @@ std::optional<FileKind> kindOfFile(int descriptor)
 {
     std::array<char, kindBytes> start{};
     const ssize_t length = ::pread(descriptor, start.data(), start.size(), 0);
-    return length < 0 ? std::nullopt : std::optional(kindOf({start.data(), static_cast<std::size_t>(length)}));
+    return length < 0 ? std::nullopt
+                      : std::optional(kindOf({start.data(), static_cast<std::size_t>(length)}));
 }
 
 } // namespace odo

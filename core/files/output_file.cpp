@@ -1,14 +1,384 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/output_file.h"
 
-#include "core/files/descriptor.h"
+#include "core/base/file_system.h"
+#include "core/files/protected_files.h"
+#include "core/files/temporary.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
+#include <string_view>
 #include <sys/stat.h>
 #include <unistd.h>
 
 namespace odo {
+
+namespace {
+
+constexpr std::string_view projectEnding = ".odo", mediaEnding = ".media";
+constexpr const char *namesAProject = "a name ending in .odo is for a project";
+constexpr int deepestFolder = 8; // of a media folder
+
+/// As file systems that take no notice of capitals compare it.
+std::string folded(std::string text)
+{
+    std::ranges::transform(text, text.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return text;
+}
+
+/// What follows a project's name in those of its log, lock and backups.
+bool isSideSuffix(std::string_view suffix)
+{
+    return suffix == "-wal" || suffix == "-shm" || suffix == "-journal" || suffix == ".lock" ||
+           suffix.starts_with(".bak-") || suffix.starts_with(".damaged");
+}
+
+/// Whether a file name is that of a project's log, lock or backup; `project`: its name, or how all projects
+/// end.
+bool isSideName(const std::filesystem::path &name, const std::string &project)
+{
+    const std::string text = folded(name.string()), before = folded(project);
+    for (std::size_t at = text.find(before); at != std::string::npos; at = text.find(before, at + 1))
+        if (isSideSuffix(std::string_view(text).substr(at + before.size())))
+            return true;
+    return false;
+}
+
+std::filesystem::path mediaFolderOf(const std::filesystem::path &project)
+{
+    return project.parent_path() / (project.stem().string() + std::string(mediaEnding));
+}
+
+bool isMediaName(const std::filesystem::path &folder)
+{
+    const std::string name = folder.filename().string();
+    return name.size() > mediaEnding.size() && folded(name).ends_with(mediaEnding);
+}
+
+/// By content: a project may have any name.
+bool holdsProject(const std::filesystem::path &file, const ProtectedFiles &open)
+{
+    const auto identity = identityOf(file);
+    if (!identity || open.isOpenProject(*identity))
+        return identity.has_value();
+    if (open.isPartOfOpenProject(*identity) || !files::isFile(file))
+        return false;
+    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor < 0)
+        return false;
+    const auto kind = kindOfFile(descriptor);
+    ::close(descriptor);
+    return kind == FileKind::Project;
+}
+
+/// A project in the folder whose name `isMeant` likes; empty where there is none. One that is damaged is
+/// known by its ending.
+template <class IsMeant>
+std::filesystem::path projectIn(const std::filesystem::path &folder, const ProtectedFiles &open,
+                                const IsMeant &isMeant)
+{
+    std::error_code ignored;
+    for (const std::filesystem::path name : files::namesIn(folder, ignored)) {
+        const std::filesystem::path file = folder / name;
+        if (isMeant(name) && ((folded(name.extension().string()) == projectEnding && files::isFile(file)) ||
+                              holdsProject(file, open)))
+            return file;
+    }
+    return {};
+}
+
+/// The project whose media folder that is by its name; empty where there is none.
+std::filesystem::path projectBeside(const std::filesystem::path &folder, const ProtectedFiles &open)
+{
+    if (!isMediaName(folder))
+        return {};
+    const std::string stem = folded(folder.stem().string());
+    return projectIn(folder.parent_path(), open,
+                     [&](const std::filesystem::path &name) { return folded(name.stem().string()) == stem; });
+}
+
+/// The folders above a file, the nearest first.
+template <class Look>
+bool anyFolderAbove(const std::filesystem::path &file, const Look &look)
+{
+    for (std::filesystem::path folder = file.parent_path(); folder.has_relative_path();
+         folder = folder.parent_path())
+        if (look(folder))
+            return true;
+    return false;
+}
+
+/// Whether a file of a folder, or of one in it, has that identity.
+bool holds(const std::filesystem::path &folder, const FileIdentity &file, int depth = 0)
+{
+    std::error_code ignored;
+    for (const std::string &name : files::namesIn(folder, ignored)) {
+        struct stat status
+        {
+        };
+        const std::filesystem::path each = folder / name;
+        if (::lstat(each.c_str(), &status) != 0)
+            continue;
+        if (FileIdentity{status.st_dev, status.st_ino} == file)
+            return true;
+        if (S_ISDIR(status.st_mode) && depth < deepestFolder && holds(each, file, depth + 1))
+            return true;
+    }
+    return false;
+}
+
+/// Whether a log, lock or backup of the project has that identity.
+bool isSideFile(const std::filesystem::path &project, const FileIdentity &file)
+{
+    std::error_code ignored;
+    const std::filesystem::path folder = project.parent_path();
+    return std::ranges::any_of(files::namesIn(folder, ignored), [&](const std::string &name) {
+        return isSideName(name, project.filename().string()) && identityOf(folder / name) == file;
+    });
+}
+
+std::string nameOf(const OutputTarget &target)
+{
+    return "file '" + target.file.string() + "'";
+}
+
+tl::unexpected<Error> refusedAs(const OutputTarget &target, const std::string &why)
+{
+    return fail(ErrorCode::WrongCall, nameOf(target), why, "choose another name");
+}
+
+/// The look at one target.
+class OutputCheck
+{
+public:
+    OutputCheck(const OutputTarget &target, ResolvedPath path) : m_target(target), m_path(std::move(path))
+    {
+        m_exists = ::lstat(m_path.real.c_str(), &m_status) == 0;
+        m_problem = m_exists ? 0 : errno;
+    }
+
+    Result<OutputPlace> run(std::optional<FileKind> kind)
+    {
+        if (!m_exists && m_problem != ENOENT)
+            return m_problem == ENAMETOOLONG ? fail(ErrorCode::InvalidInput, what(), "its name is too long",
+                                                    "choose a shorter name")
+                                             : cannotBeWritten(m_problem);
+        if (const char *reason = reasonOfName())
+            return refused(reason);
+        if (const auto project = m_target.isOwnMedia ? std::filesystem::path() : projectOfMedia();
+            !project.empty())
+            return refused("it is in the media folder of project '" + project.filename().string() + "'");
+        if (m_exists && !m_target.isOwnMedia && isInSomeMedia())
+            return refused("it is in a media folder beside a project");
+        OutputPlace place{m_path.real, m_exists, FileKind::Empty, m_status.st_mode & 0777U};
+        if (!m_exists)
+            return isNamedAsProject(kind) ? refused(namesAProject) : Result<OutputPlace>(place);
+        if (m_target.existing == Existing::Refuse || m_target.isOwnMedia)
+            return fail(ErrorCode::AlreadyExists, what(), "it is there already",
+                        "choose another name or folder");
+        if (::access(m_path.real.c_str(), W_OK) != 0) // its owner has protected it, or the disk is read-only
+            return cannotBeWritten(errno);
+        const auto found = existingKind();
+        if (!found)
+            return tl::unexpected(found.error());
+        if (isNamedAsProject(kind))
+            return refused(namesAProject);
+        place.kind = *found;
+        if (kind && m_target.existing == Existing::ReplaceSameKind && place.kind != FileKind::Empty &&
+            !isSameKind(place.kind, *kind))
+            return fail(ErrorCode::WrongCall, what(), "a file of another kind has that name",
+                        "choose another name, or replace it with --force");
+        return place;
+    }
+
+    Result<void> runForProject() const
+    {
+        if (const char *reason = reasonBesideProjects())
+            return refused(reason);
+        if (const auto project = projectOfMedia(); !project.empty())
+            return refused("it is in the media folder of project '" + project.filename().string() + "'");
+        const std::string left = m_exists ? std::string() : leftBeside();
+        if (!left.empty())
+            return fail(ErrorCode::AlreadyExists, what(),
+                        "its folder has '" + left + "', the log or journal of another file of this name",
+                        "choose another name, or move '" + left + "' to another folder first");
+        return {};
+    }
+
+private:
+    std::string what() const { return nameOf(m_target); }
+    tl::unexpected<Error> refused(const std::string &why) const { return refusedAs(m_target, why); }
+    tl::unexpected<Error> cannotBeWritten(int reason) const
+    {
+        return fail(ErrorCode::ReadOnly, what(),
+                    std::string("it cannot be written (") + std::strerror(reason) + ")",
+                    "choose another name");
+    }
+    /// Whether the file, or a link that leads to it, would pass for a project by its name and be none.
+    bool isNamedAsProject(std::optional<FileKind> kind) const
+    {
+        const auto ends = [](const std::filesystem::path &file) {
+            return folded(file.filename().string()).ends_with(projectEnding);
+        };
+        return kind != FileKind::Project && (ends(m_path.real) || std::ranges::any_of(m_path.named, ends));
+    }
+    /// The name of a log or journal that SQLite would apply to a new database there; empty: none.
+    std::string leftBeside() const
+    {
+        for (const char *suffix : {"-wal", "-journal"}) {
+            struct stat status
+            {
+            };
+            const std::string side = m_path.real.string() + suffix;
+            const bool isHarmless =
+                ::lstat(side.c_str(), &status) != 0 || (S_ISREG(status.st_mode) && status.st_size == 0);
+            if (!isHarmless)
+                return std::filesystem::path(side).filename().string();
+        }
+        return {};
+    }
+    FileIdentity identity() const { return {m_status.st_dev, m_status.st_ino}; }
+    /// Whether the file may be known by other names too.
+    bool hasMoreNames() const { return m_exists && m_status.st_nlink > 1; }
+
+    /// Why nothing may be written under that name or in place of that file; null: nothing speaks against it
+    /// so far.
+    const char *reasonOfName() const
+    {
+        if (m_exists && m_protected.isOpenProject(identity()))
+            return "it is the project itself";
+        for (const ProtectedFile &project : m_protected.projects())
+            if (!m_exists && (m_path.real == project.real || m_path.real == project.named))
+                return "it is the project itself";
+        if (const char *reason = reasonBesideProjects())
+            return reason;
+        for (const ProtectedFile &input : m_protected.inputs())
+            if (m_exists && (input.identity == identity() || input.real == m_path.real))
+                return input.reason;
+        return nullptr;
+    }
+
+    /// Likewise, of a name that belongs to what a project has beside it.
+    const char *reasonBesideProjects() const
+    {
+        if (isTemporaryName(m_path.real.filename())) // it would be swept
+            return "Odograph uses such names for temporary files";
+        constexpr const char *besideIt = "it is the log, the lock or a backup of a project";
+        if (isSideName(m_path.real.filename(), std::string(projectEnding)))
+            return besideIt;
+        for (const ProtectedFile &project : m_protected.projects()) {
+            if (isSideName(m_path.real.filename(), project.real.filename().string()) &&
+                identityOf(m_path.real.parent_path()) == identityOf(project.real.parent_path()))
+                return besideIt;
+            if (hasMoreNames() && isSideFile(project.real, identity()))
+                return besideIt;
+        }
+        const std::string name = folded(m_path.real.filename().string());
+        const auto isBesideIt = [&](const std::filesystem::path &project) {
+            const std::string start = folded(project.string());
+            return name.starts_with(start) && isSideSuffix(std::string_view(name).substr(start.size()));
+        };
+        return projectIn(m_path.real.parent_path(), m_protected, isBesideIt).empty() ? nullptr : besideIt;
+    }
+
+    /// The project to whose media the file belongs, or would; empty: none.
+    std::filesystem::path projectOfMedia() const
+    {
+        for (const ProtectedFile &project : m_protected.projects())
+            for (const std::filesystem::path &name : {project.real, project.named}) {
+                const std::filesystem::path media = mediaFolderOf(name);
+                const auto folder = identityOf(media);
+                if (folder && anyFolderAbove(m_path.real,
+                                             [&](const auto &above) { return identityOf(above) == folder; }))
+                    return name;
+                if (folder && hasMoreNames() && holds(media, identity()))
+                    return name;
+            }
+        std::filesystem::path project;
+        const auto look = [&](const std::filesystem::path &folder) {
+            project = projectBeside(folder, m_protected);
+            return !project.empty();
+        };
+        if (!anyFolderAbove(m_path.real, look))
+            for (auto name = m_path.named.begin();
+                 name != m_path.named.end() && !anyFolderAbove(*name, look);)
+                ++name;
+        return project;
+    }
+
+    /// A project that was renamed alone still has its videos in the folder of its old name.
+    bool isInSomeMedia() const
+    {
+        return anyFolderAbove(m_path.real, [&](const std::filesystem::path &folder) {
+            return isMediaName(folder) &&
+                   !projectIn(folder.parent_path(), m_protected, [](const auto &) { return true; }).empty();
+        });
+    }
+
+    /// It isn't an open project: reasonOfName() has looked.
+    Result<FileKind> existingKind() const
+    {
+        const int descriptor = ::open(m_path.real.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+        if (descriptor < 0)
+            return fail(ErrorCode::Io, what(),
+                        std::string("it cannot be read (") + std::strerror(errno) + ")",
+                        "choose another name");
+        const auto kind = kindOfFile(descriptor);
+        const int problem = errno;
+        ::close(descriptor);
+        if (!kind)
+            return fail(ErrorCode::Io, what(),
+                        std::string("it cannot be read (") + std::strerror(problem) + ")",
+                        "choose another name");
+        if (kind == FileKind::Project)
+            return refused("it is another project");
+        if (kind == FileKind::Database)
+            return refused("it is a database");
+        return *kind;
+    }
+
+    const ProtectedFiles m_protected;
+    const OutputTarget &m_target;
+    const ResolvedPath m_path;
+    struct stat m_status
+    {
+    };
+    bool m_exists = false;
+    int m_problem = 0;
+};
+
+} // namespace
+
+Result<OutputPlace> checkOutput(const OutputTarget &target, std::optional<FileKind> kind)
+{
+    // Before links are followed one by one: those in /proc lead to what has no name.
+    std::error_code unknown;
+    if (const char *reason = files::insteadOfFile(files::kindOf(target.file, unknown)))
+        return refusedAs(target, reason);
+    auto path = resolved(target.file);
+    if (!path)
+        return tl::unexpected(path.error());
+    return OutputCheck(target, std::move(*path)).run(kind);
+}
+
+Result<void> checkNewProject(const std::filesystem::path &file, const std::string &what)
+{
+    std::filesystem::path folder = files::absolute(file).parent_path();
+    while (!files::isFolder(folder) && folder.has_relative_path()) // a demo makes its folder
+        folder = folder.parent_path();
+    const OutputTarget target(folder / file.filename(), Existing::Refuse);
+    auto path = resolved(target.file);
+    if (!path)
+        return {}; // making it says why
+    auto checked = OutputCheck(target, std::move(*path)).runForProject();
+    if (!checked)
+        checked.error().what = what;
+    return checked;
+}
 
 OutputFile::OutputFile(OutputTarget target, FileKind kind, std::unique_ptr<TemporaryFile> temporary)
     : m_target(std::move(target)), m_kind(kind), m_temporary(std::move(temporary))
@@ -30,7 +400,8 @@ Result<std::unique_ptr<OutputFile>> OutputFile::open(const OutputTarget &target,
 
 tl::unexpected<Error> OutputFile::failure(const std::string &reason) const
 {
-    return fail(ErrorCode::Io, "file '" + m_target.file.string() + "'", "it cannot be written (" + reason + ")",
+    return fail(ErrorCode::Io, "file '" + m_target.file.string() + "'",
+                "it cannot be written (" + reason + ")",
                 "choose a folder that you may write to and that has room");
 }
 
@@ -54,7 +425,8 @@ Result<void> OutputFile::commit()
     }
 }
 
-Result<void> writeOutput(const OutputTarget &target, const std::function<Result<void>(const OutputSink &)> &write)
+Result<void> writeOutput(const OutputTarget &target,
+                         const std::function<Result<void>(const OutputSink &)> &write)
 {
     std::unique_ptr<OutputFile> output;
     const OutputSink sink = [&](std::string_view piece) -> Result<void> {

@@ -2,12 +2,13 @@
 #include "core/files/protected_files.h"
 
 #include "core/base/file_system.h"
-#include "core/files/resolved_path.h"
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -72,10 +73,12 @@ Result<void> checkMayBeRead(const std::filesystem::path &file, const std::string
     if (const char *reason = files::insteadOfFile(kind))
         return fail(ErrorCode::InvalidInput, what, reason, "name a file");
     if (::access(file.c_str(), R_OK) != 0)
-        return fail(ErrorCode::Io, what, std::string("it cannot be read (") + std::strerror(errno) + ")", rights);
+        return fail(ErrorCode::Io, what, std::string("it cannot be read (") + std::strerror(errno) + ")",
+                    rights);
     const auto identity = identityOf(file);
     if (identity && ProtectedFiles().isPartOfOpenProject(*identity))
-        return fail(ErrorCode::InvalidInput, what, "it is a project that is open here", "choose another file");
+        return fail(ErrorCode::InvalidInput, what, "it is a project that is open here",
+                    "choose another file");
     return {};
 }
 
@@ -96,8 +99,14 @@ void InputFiles::add(const std::filesystem::path &file)
 
 ProtectedFiles::ProtectedFiles() : m_lock(protectedLists().mutex) {}
 
-const std::list<ProtectedFile> &ProtectedFiles::projects() const { return protectedLists().projects; }
-const std::list<ProtectedFile> &ProtectedFiles::inputs() const { return protectedLists().inputs; }
+const std::list<ProtectedFile> &ProtectedFiles::projects() const
+{
+    return protectedLists().projects;
+}
+const std::list<ProtectedFile> &ProtectedFiles::inputs() const
+{
+    return protectedLists().inputs;
+}
 
 bool ProtectedFiles::isOpenProject(const FileIdentity &file) const
 {
@@ -109,8 +118,58 @@ bool ProtectedFiles::isOpenProject(const FileIdentity &file) const
 bool ProtectedFiles::isPartOfOpenProject(const FileIdentity &file) const
 {
     return std::ranges::any_of(projects(), [&](const ProtectedFile &project) {
-        return std::ranges::any_of(std::array{"", "-shm", "-wal", "-journal"}, [&](const char *part) { return identityOf(project.real.string() + part) == file; });
+        return std::ranges::any_of(std::array{"", "-shm", "-wal", "-journal"}, [&](const char *part) {
+            return identityOf(project.real.string() + part) == file;
+        });
     });
+}
+
+namespace {
+
+constexpr int mostLinks = 40; // as the kernel
+
+struct FreeText
+{
+    void operator()(char *text) const { std::free(text); } // NOLINT: realpath() allocates so
+};
+
+} // namespace
+
+std::optional<std::filesystem::path> realPath(const std::filesystem::path &file)
+{
+    const std::unique_ptr<char, FreeText> real(::realpath(file.c_str(), nullptr));
+    return real ? std::optional<std::filesystem::path>(real.get()) : std::nullopt;
+}
+
+Result<ResolvedPath> resolved(const std::filesystem::path &file)
+{
+    const std::string what = "file '" + file.string() + "'";
+    if (file.empty())
+        return fail(ErrorCode::WrongCall, what, "it has no name", "name a file");
+    std::filesystem::path named = files::absolute(file);
+    ResolvedPath resolved;
+    for (int links = 0; links < mostLinks; ++links) {
+        resolved.named.push_back(named.lexically_normal());
+        const std::filesystem::path name = named.filename(), folder = named.parent_path();
+        if (name.empty() || name == "." || name == "..")
+            return fail(ErrorCode::WrongCall, what, "it is a folder", "name a file");
+        const auto realFolder = realPath(folder);
+        if (!realFolder && errno == ENOENT)
+            return fail(ErrorCode::NotFound, what, "there is no folder '" + folder.string() + "'",
+                        "make the folder first, or choose another one");
+        if (!realFolder)
+            return fail(ErrorCode::Io, what,
+                        std::string("its folder cannot be used (") + std::strerror(errno) + ")",
+                        "choose another folder");
+        resolved.real = *realFolder / name;
+        std::error_code isNoLink;
+        const std::filesystem::path link = files::linkTarget(resolved.real, isNoLink);
+        if (isNoLink)
+            return resolved;
+        named = *realFolder / link; // an absolute one replaces the folder
+    }
+    return fail(ErrorCode::Io, what, std::string("it cannot be written (") + std::strerror(ELOOP) + ")",
+                "choose another name");
 }
 
 } // namespace odo

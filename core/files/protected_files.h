@@ -26,12 +26,13 @@ std::optional<FileIdentity> identityOf(const std::filesystem::path &file);
 /// What this process has open or reads, and what nothing may be written over therefore.
 struct ProtectedFile
 {
-    std::filesystem::path named, real; ///< as it was called, and without links; absolute
+    std::filesystem::path named, real;    ///< as it was called, and without links; absolute
     std::optional<FileIdentity> identity; ///< when it was opened
     const char *reason = nullptr;         ///< of an input: why nothing may be written over it
 };
 
-/// As long as it lives, a file counts as a project that this process has open. Made before the file is opened. Any thread.
+/// As long as it lives, a file counts as a project that this process has open. Made before the file is
+/// opened. Any thread.
 class OpenProjectFile
 {
 public:
@@ -44,13 +45,15 @@ private:
     std::list<ProtectedFile>::iterator m_entry;
 };
 
-/// Asked before a file that a person or a project names is opened to be read. what: for the message. Errors: NotFound; Io where it may not be
-/// read; InvalidInput where it is a folder, a pipe, a socket or a device, for which a reader could wait for ever, or a project that this process
-/// has open, or what SQLite keeps beside it. (To close a descriptor of a file drops all locks of the process on it, SQLite's too: POSIX,
+/// Asked before a file that a person or a project names is opened to be read. what: for the message. Errors:
+/// NotFound; Io where it may not be read; InvalidInput where it is a folder, a pipe, a socket or a device,
+/// for which a reader could wait for ever, or a project that this process has open, or what SQLite keeps
+/// beside it. (To close a descriptor of a file drops all locks of the process on it, SQLite's too: POSIX,
 /// fcntl(2).) Doesn't open it. Any thread.
 Result<void> checkMayBeRead(const std::filesystem::path &file, const std::string &what);
 
-/// As long as it lives, files count as inputs: what is made of them must not take their place. One thread; the list is shared by all.
+/// As long as it lives, files count as inputs: what is made of them must not take their place. One thread;
+/// the list is shared by all.
 class InputFiles
 {
 public:
@@ -66,8 +69,9 @@ private:
     std::vector<std::list<ProtectedFile>::iterator> m_entries;
 };
 
-/// All of them. While it lives no project is opened or closed by this process: only then may a file be opened of which it isn't certain
-/// that it is no open project. (To close a descriptor of a file drops all locks of the process on it, SQLite's too.)
+/// All of them. While it lives no project is opened or closed by this process: only then may a file be opened
+/// of which it isn't certain that it is no open project. (To close a descriptor of a file drops all locks of
+/// the process on it, SQLite's too.)
 class ProtectedFiles
 {
 public:
@@ -81,5 +85,21 @@ public:
 private:
     std::unique_lock<std::mutex> m_lock;
 };
+
+/// A path without links, dots and doubled slashes; nothing where it leads nowhere. Never throws on what the
+/// disk says.
+std::optional<std::filesystem::path> realPath(const std::filesystem::path &file);
+
+/// Where a file that may not exist yet would be written, all links followed, those that lead nowhere too.
+struct ResolvedPath
+{
+    std::filesystem::path real; ///< its folder exists
+    /// how it was called: the path given, and what each link said; absolute
+    std::vector<std::filesystem::path> named;
+};
+
+/// Errors: WrongCall without a file name, NotFound without its folder, Io with the system's reason. Any
+/// thread.
+Result<ResolvedPath> resolved(const std::filesystem::path &file);
 
 } // namespace odo

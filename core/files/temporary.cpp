@@ -2,7 +2,6 @@
 #include "core/files/temporary.h"
 
 #include "core/base/file_system.h"
-#include "core/files/descriptor.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -13,6 +12,7 @@
 #include <new>
 #include <string_view>
 #include <sys/file.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
@@ -21,7 +21,8 @@ namespace odo {
 
 namespace {
 
-constexpr std::string_view nameStart = ".odograph-", nameEnd = ".part", nameLetters = "abcdefghijklmnopqrstuvwxyz234567";
+constexpr std::string_view nameStart = ".odograph-", nameEnd = ".part",
+                           nameLetters = "abcdefghijklmnopqrstuvwxyz234567";
 constexpr const char *markName = "temporary folder of Odograph";
 constexpr std::size_t lettersOfName = 12;
 constexpr const char *nameOfFile = "new";
@@ -50,7 +51,8 @@ std::string markOf(const std::filesystem::path &folder)
 
 bool hasMark(const std::filesystem::path &folder)
 {
-    const int descriptor = ::open((folder / markName).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    const int descriptor =
+        ::open((folder / markName).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
     if (descriptor < 0)
         return false;
     const std::string mark = markOf(folder);
@@ -63,7 +65,8 @@ bool hasMark(const std::filesystem::path &folder)
 /// False, with errno, where it cannot be written.
 bool setMark(const std::filesystem::path &folder)
 {
-    const int descriptor = ::open((folder / markName).c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
+    const int descriptor =
+        ::open((folder / markName).c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
     if (descriptor < 0)
         return false;
     const int failed = writeAll(descriptor, markOf(folder));
@@ -84,7 +87,8 @@ void removeIfStray(const std::filesystem::path &path)
         return;
     const bool isUnlocked = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
     const bool isUnknown = !isUnlocked && errno != EWOULDBLOCK;
-    if ((isUnlocked || (isUnknown && std::time(nullptr) - status.st_mtime > longestWritingS)) && hasMark(path))
+    if ((isUnlocked || (isUnknown && std::time(nullptr) - status.st_mtime > longestWritingS)) &&
+        hasMark(path))
         removeAll(path);
     ::close(descriptor);
 }
@@ -104,12 +108,14 @@ tl::unexpected<Error> cannotMake(const std::filesystem::path &folder, const std:
                     "make the folder first, or choose another one");
     if (reason == ENOSPC || reason == EDQUOT)
         return fail(ErrorCode::Io, what, "the disk is full", "make room on the disk and try again");
-    return fail(ErrorCode::ReadOnly, what, "the folder '" + folder.string() + "' cannot be written to (" + std::strerror(reason) + ")",
+    return fail(ErrorCode::ReadOnly, what,
+                "the folder '" + folder.string() + "' cannot be written to (" + std::strerror(reason) + ")",
                 "choose a folder that you may write to");
 }
 
 /// A new folder under a new name, locked and marked: its path, and what holds its lock.
-Result<std::pair<std::filesystem::path, int>> madeIn(const std::filesystem::path &folder, const std::string &what)
+Result<std::pair<std::filesystem::path, int>> madeIn(const std::filesystem::path &folder,
+                                                     const std::string &what)
 {
     sweep(folder);
     constexpr int mostAttempts = 100;
@@ -126,7 +132,7 @@ Result<std::pair<std::filesystem::path, int>> madeIn(const std::filesystem::path
         const int descriptor = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
         if (descriptor >= 0) {
             static_cast<void>(::flock(descriptor, LOCK_EX)); // where there are no locks, its age tells
-            if (setMark(path)) // nobody sweeps it before
+            if (setMark(path))                               // nobody sweeps it before
                 return std::pair(path, descriptor);
         }
         const int failed = errno;
@@ -144,9 +150,11 @@ Result<std::pair<std::filesystem::path, int>> madeIn(const std::filesystem::path
 bool isTemporaryName(const std::filesystem::path &name)
 {
     const std::string text = name.string();
-    if (text.size() != nameStart.size() + lettersOfName + nameEnd.size() || !text.starts_with(nameStart) || !text.ends_with(nameEnd))
+    if (text.size() != nameStart.size() + lettersOfName + nameEnd.size() || !text.starts_with(nameStart) ||
+        !text.ends_with(nameEnd))
         return false;
-    return std::string_view(text).substr(nameStart.size(), lettersOfName).find_first_not_of(nameLetters) == std::string_view::npos;
+    return std::string_view(text).substr(nameStart.size(), lettersOfName).find_first_not_of(nameLetters) ==
+           std::string_view::npos;
 }
 
 bool syncToDisk(const std::filesystem::path &path)
@@ -167,7 +175,9 @@ namespace {
 int takePlace(const std::filesystem::path &from, const std::filesystem::path &to)
 {
     const bool isFolder = files::kindOfItself(from) == files::Kind::Folder;
-    const int place = isFolder ? ::mkdir(to.c_str(), 0700) : ::open(to.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC | O_NOFOLLOW, 0600);
+    const int place = isFolder
+                          ? ::mkdir(to.c_str(), 0700)
+                          : ::open(to.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC | O_NOFOLLOW, 0600);
     if (place < 0)
         return errno;
     if (!isFolder)
@@ -183,7 +193,8 @@ int takePlace(const std::filesystem::path &from, const std::filesystem::path &to
 
 int giveFreeName(const std::filesystem::path &from, const std::filesystem::path &to)
 {
-    // A hard link fails where a file is, unlike a rename. Not every file system (a USB stick's FAT) knows links.
+    // A hard link fails where a file is, unlike a rename. Not every file system (a USB stick's FAT) knows
+    // links.
     if (::link(from.c_str(), to.c_str()) == 0) {
         ::unlink(from.c_str());
         return 0;
@@ -202,12 +213,14 @@ TemporaryFile::TemporaryFile(std::unique_ptr<TemporaryFolder> folder, int descri
 {
 }
 
-Result<std::unique_ptr<TemporaryFile>> TemporaryFile::make(const std::filesystem::path &folder, const std::string &what)
+Result<std::unique_ptr<TemporaryFile>> TemporaryFile::make(const std::filesystem::path &folder,
+                                                           const std::string &what)
 {
     auto made = TemporaryFolder::make(folder, what);
     if (!made)
         return tl::unexpected(made.error());
-    const int descriptor = ::open(((*made)->path() / nameOfFile).c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    const int descriptor = ::open(((*made)->path() / nameOfFile).c_str(),
+                                  O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (descriptor < 0)
         return cannotMake(folder, what, errno);
     return std::unique_ptr<TemporaryFile>(new TemporaryFile(std::move(*made), descriptor, what));
@@ -218,7 +231,10 @@ TemporaryFile::~TemporaryFile()
     ::close(m_descriptor);
 }
 
-std::filesystem::path TemporaryFile::path() const { return m_folder->path() / nameOfFile; }
+std::filesystem::path TemporaryFile::path() const
+{
+    return m_folder->path() / nameOfFile;
+}
 
 tl::unexpected<Error> TemporaryFile::failure(int reason) const
 {
@@ -236,7 +252,8 @@ Result<void> TemporaryFile::sync() const
 void TemporaryFile::published(const std::filesystem::path &target)
 {
     m_folder.reset();
-    syncToDisk(target.parent_path()); // some file systems cannot sync a folder: the file itself is safe already
+    // some file systems cannot sync a folder: the file itself is safe already
+    syncToDisk(target.parent_path());
 }
 
 Result<void> TemporaryFile::replace(const std::filesystem::path &target)
@@ -259,7 +276,8 @@ Result<void> TemporaryFile::publish(const std::filesystem::path &target)
     return {};
 }
 
-Result<std::unique_ptr<TemporaryFolder>> TemporaryFolder::make(const std::filesystem::path &folder, const std::string &what)
+Result<std::unique_ptr<TemporaryFolder>> TemporaryFolder::make(const std::filesystem::path &folder,
+                                                               const std::string &what)
 {
     auto made = madeIn(folder, what);
     if (!made)
@@ -275,6 +293,38 @@ TemporaryFolder::~TemporaryFolder()
     if (isAt(m_outer, m_descriptor))
         removeAll(m_outer);
     ::close(m_descriptor);
+}
+
+bool isAt(const std::filesystem::path &path, int descriptor)
+{
+    struct stat open
+    {
+    }, there{};
+    return ::fstat(descriptor, &open) == 0 && ::lstat(path.c_str(), &there) == 0 &&
+           open.st_ino == there.st_ino && open.st_dev == there.st_dev;
+}
+
+int writeAll(int descriptor, std::span<const char> bytes)
+{
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno != EINTR)
+            return errno;
+        if (written > 0)
+            bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+    return 0;
+}
+
+std::string randomLetters(std::size_t count)
+{
+    constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz234567";
+    std::string text(count, '\0');
+    if (::getrandom(text.data(), count, 0) != static_cast<ssize_t>(count))
+        return {};
+    for (char &character : text)
+        character = letters[static_cast<unsigned char>(character) % letters.size()];
+    return text;
 }
 
 } // namespace odo

@@ -3,21 +3,27 @@
 
 #include "core/base/error.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <span>
+#include <string>
 
 namespace odo {
 
-/// What is being written lies in a folder with a name that nobody can foresee, ".odograph-XXXXXXXXXXXX.part", and gets its own name when it is whole.
-/// Such folders that a killed program has left are removed when the next one is made beside them: as long as somebody writes to one, it is locked
-/// (flock). A file in it with the folder's name tells that it was made here: without that mark it is somebody's own, and stays. Any thread, one at a time.
+/// What is being written lies in a folder with a name that nobody can foresee, ".odograph-XXXXXXXXXXXX.part",
+/// and gets its own name when it is whole. Such folders that a killed program has left are removed when the
+/// next one is made beside them: as long as somebody writes to one, it is locked (flock). A file in it with
+/// the folder's name tells that it was made here: without that mark it is somebody's own, and stays. Any
+/// thread, one at a time.
 
 /// A new folder for what takes several files to make, or is opened by others; removed with all that is in it.
 class TemporaryFolder
 {
 public:
     /// Only this user may look into it. Errors as of TemporaryFile.
-    static Result<std::unique_ptr<TemporaryFolder>> make(const std::filesystem::path &folder, const std::string &what);
+    static Result<std::unique_ptr<TemporaryFolder>> make(const std::filesystem::path &folder,
+                                                         const std::string &what);
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder &) = delete;
     TemporaryFolder &operator=(const TemporaryFolder &) = delete;
@@ -26,9 +32,13 @@ public:
     std::filesystem::path path() const { return m_outer / "new"; }
 
 private:
-    TemporaryFolder(std::filesystem::path outer, int descriptor) : m_outer(std::move(outer)), m_descriptor(descriptor) {}
+    TemporaryFolder(std::filesystem::path outer, int descriptor)
+        : m_outer(std::move(outer)), m_descriptor(descriptor)
+    {
+    }
 
-    const std::filesystem::path m_outer; ///< the lock is on it, and not on the folder within: a project made there locks its folder itself
+    /// the lock is on it, and not on the folder within: a project made there locks its folder itself
+    const std::filesystem::path m_outer;
     const int m_descriptor;
 };
 
@@ -36,15 +46,18 @@ private:
 class TemporaryFile
 {
 public:
-    /// what: for messages. Errors: NotFound (no such folder), Io (the disk is full), ReadOnly (the folder cannot be written to).
-    static Result<std::unique_ptr<TemporaryFile>> make(const std::filesystem::path &folder, const std::string &what);
+    /// what: for messages. Errors: NotFound (no such folder), Io (the disk is full), ReadOnly (the folder
+    /// cannot be written to).
+    static Result<std::unique_ptr<TemporaryFile>> make(const std::filesystem::path &folder,
+                                                       const std::string &what);
     ~TemporaryFile();
     TemporaryFile(const TemporaryFile &) = delete;
     TemporaryFile &operator=(const TemporaryFile &) = delete;
 
     int descriptor() const { return m_descriptor; } ///< to write to; belongs to this object
-    std::filesystem::path path() const; ///< until it is published
-    /// Has all bytes on the disk, then the file under that name, in the folder around, in place of what was there.
+    std::filesystem::path path() const;             ///< until it is published
+    /// Has all bytes on the disk, then the file under that name, in the folder around, in place of what was
+    /// there.
     Result<void> replace(const std::filesystem::path &target);
     /// Likewise, but AlreadyExists where anything has that name.
     Result<void> publish(const std::filesystem::path &target);
@@ -63,10 +76,24 @@ private:
 /// Whether something is called as those folders are.
 bool isTemporaryName(const std::filesystem::path &name);
 
-/// Has the system write a file, or the names in a folder, to the disk. False, with errno, when it reported an error.
+/// Has the system write a file, or the names in a folder, to the disk. False, with errno, when it reported an
+/// error.
 bool syncToDisk(const std::filesystem::path &path);
 
 /// Gives a file its name, in the same file system, without ever taking the place of another. 0, or errno.
 int giveFreeName(const std::filesystem::path &from, const std::filesystem::path &to);
+
+/// What the writers of this folder, and the locks of projects, do with files that they hold open. Any thread.
+
+/// Whether the path leads to this very file, and not through a link: somebody may have renamed or removed it,
+/// and another one may have its name.
+bool isAt(const std::filesystem::path &path, int descriptor);
+
+/// Writes all of it, behind what was written before. 0, or errno.
+int writeAll(int descriptor, std::span<const char> bytes);
+
+/// So many letters and digits that nobody can foresee; empty, with errno, where the system has no random
+/// numbers.
+std::string randomLetters(std::size_t count);
 
 } // namespace odo

@@ -6,6 +6,22 @@
 
 namespace odo {
 
+Eigen::Vector3d RigidTransform::operator*(const Eigen::Vector3d &pointInSource) const
+{
+    return rotation * pointInSource + translation;
+}
+
+RigidTransform RigidTransform::operator*(const RigidTransform &other) const
+{
+    return {(rotation * other.rotation).normalized(), rotation * other.translation + translation};
+}
+
+RigidTransform RigidTransform::inverse() const
+{
+    const Eigen::Quaterniond back = rotation.conjugate();
+    return {back, -(back * translation)};
+}
+
 namespace {
 
 using Eigen::Vector2d;
@@ -86,8 +102,9 @@ std::optional<FloorPosition> FloorView::locate(const Vector2d &pixel, const Eige
     if (!slopes)
         return std::nullopt;
     const Eigen::Matrix2d &pointByPixel = slopes->pointByPixel;
-    const Eigen::Matrix2d pixelCalibration =
-        slopes->pixelByJoint.lazyProduct(m_jointCovariance).eval().lazyProduct(slopes->pixelByJoint.transpose());
+    const Eigen::Matrix2d pixelCalibration = slopes->pixelByJoint.lazyProduct(m_jointCovariance)
+                                                 .eval()
+                                                 .lazyProduct(slopes->pixelByJoint.transpose());
     return FloorPosition{*floor, pointByPixel * pixelCovariance * pointByPixel.transpose(),
                          pointByPixel * pixelCalibration * pointByPixel.transpose(),
                          -pointByPixel * slopes->pixelByWorld.col(2)};
@@ -109,7 +126,8 @@ std::optional<Vector2d> FloorView::pixelFromWorld(const Vector3d &pointInWorld) 
     return m_camera.project(m_cameraFromWorld * pointInWorld);
 }
 
-std::optional<Vector2d> FloorView::pixelFromWorld(const Vector3d &pointInWorld, Eigen::Matrix<double, 2, 3> &pixelByWorld) const
+std::optional<Vector2d> FloorView::pixelFromWorld(const Vector3d &pointInWorld,
+                                                  Eigen::Matrix<double, 2, 3> &pixelByWorld) const
 {
     const auto pixel = m_camera.project(m_cameraFromWorld * pointInWorld, pixelByWorld);
     pixelByWorld *= m_cameraFromWorld.rotation.toRotationMatrix();

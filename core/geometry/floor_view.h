@@ -2,12 +2,24 @@
 #pragma once
 
 #include "core/geometry/camera_model.h"
-#include "core/geometry/rigid_transform.h"
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <optional>
 
 namespace odo {
+
+/// A rotation followed by a translation, named targetFromSource: pointInTarget = targetFromSource *
+/// pointInSource. Metres. A plain value.
+struct RigidTransform
+{
+    Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+    Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+
+    Eigen::Vector3d operator*(const Eigen::Vector3d &pointInSource) const;
+    RigidTransform operator*(const RigidTransform &other) const;
+    RigidTransform inverse() const;
+};
 
 /// A position on a horizontal plane of the world, with its uncertainty. Metres.
 struct FloorPosition
@@ -71,7 +83,8 @@ public:
     /// picture.
     std::optional<Eigen::Vector2d> pixelFromWorld(const Eigen::Vector3d &pointInWorld) const;
     /// As before, with the derivative of the pixel by the point.
-    std::optional<Eigen::Vector2d> pixelFromWorld(const Eigen::Vector3d &pointInWorld, Eigen::Matrix<double, 2, 3> &pixelByWorld) const;
+    std::optional<Eigen::Vector2d> pixelFromWorld(const Eigen::Vector3d &pointInWorld,
+                                                  Eigen::Matrix<double, 2, 3> &pixelByWorld) const;
 
 private:
     /// Derivatives about a point: of it in its plane by the pixel, and of its pixel by point and calibration.

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/silhouette.h"
 
-#include "core/base/cancel_scope.h"
-#include "core/geometry/convex_hull.h"
-#include "core/geometry/support.h"
+#include "core/base/job_control.h"
+#include "core/geometry/polygon.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -41,19 +42,22 @@ void addCorners(const SolidLevel &level, double roundShare, std::vector<Vector2d
     const double radius = roundShare * std::min(level.frontM + level.backM, level.leftM + level.rightM) / 2;
     for (const double forward : {1.0, -1.0}) {
         for (const double left : {1.0, -1.0}) {
-            const Vector2d corner(forward > 0 ? level.frontM : -level.backM, left > 0 ? level.leftM : -level.rightM);
+            const Vector2d corner(forward > 0 ? level.frontM : -level.backM,
+                                  left > 0 ? level.leftM : -level.rightM);
             if (radius < leastRadiusM) {
                 corners.push_back(corner);
                 continue;
             }
             const Vector2d middle = corner - radius * Vector2d(forward, left);
-            for (const Vector2d &direction : {Vector2d(1, 0), Vector2d(std::numbers::sqrt2 / 2, std::numbers::sqrt2 / 2), Vector2d(0, 1)})
+            for (const Vector2d &direction :
+                 {Vector2d(1, 0), Vector2d(std::numbers::sqrt2 / 2, std::numbers::sqrt2 / 2), Vector2d(0, 1)})
                 corners.emplace_back(middle + radius * direction.cwiseProduct(Vector2d(forward, left)));
         }
     }
 }
 
-bool addPixels(const FloorView &view, const std::vector<Vector2d> &places, double heightM, std::vector<Vector2d> &pixels)
+bool addPixels(const FloorView &view, const std::vector<Vector2d> &places, double heightM,
+               std::vector<Vector2d> &pixels)
 {
     for (const Vector2d &place : places) {
         const auto pixel = view.pixelFromWorld({place.x(), place.y(), heightM});
@@ -65,7 +69,8 @@ bool addPixels(const FloorView &view, const std::vector<Vector2d> &places, doubl
 }
 
 /// Corners of the solid in the picture: its outline is their convex hull.
-std::optional<std::vector<Vector2d>> cornerPixels(const FloorView &view, const SolidShape &shape, const Vector2d &positionInWorld, double headingRad)
+std::optional<std::vector<Vector2d>> cornerPixels(const FloorView &view, const SolidShape &shape,
+                                                  const Vector2d &positionInWorld, double headingRad)
 {
     std::vector<Vector2d> pixels;
     if (shape.form == SolidShape::Form::Levels) {
@@ -84,7 +89,8 @@ std::optional<std::vector<Vector2d>> cornerPixels(const FloorView &view, const S
     std::vector<Vector2d> corners = footprint(shape, headingRad);
     for (Vector2d &corner : corners)
         corner += positionInWorld;
-    if (!addPixels(view, corners, shape.baseM, pixels) || (shape.baseM != shape.topM && !addPixels(view, corners, shape.topM, pixels)))
+    if (!addPixels(view, corners, shape.baseM, pixels) ||
+        (shape.baseM != shape.topM && !addPixels(view, corners, shape.topM, pixels)))
         return std::nullopt;
     return pixels;
 }
@@ -97,7 +103,8 @@ SolidShape asLevels(SolidShape shape)
         return shape;
     for (std::size_t i = 0; i < shape.levels.size(); ++i) {
         const double share = double(i) / double(shape.levels.size() - 1);
-        shape.levels[i] = {(1 - share) * shape.baseM + share * shape.topM, shape.lengthM / 2, shape.lengthM / 2, shape.widthM / 2, shape.widthM / 2};
+        shape.levels[i] = {(1 - share) * shape.baseM + share * shape.topM, shape.lengthM / 2,
+                           shape.lengthM / 2, shape.widthM / 2, shape.widthM / 2};
     }
     shape.roundShare = shape.form == SolidShape::Form::Cylinder ? 1 : 0;
     shape.form = SolidShape::Form::Levels;
@@ -123,11 +130,102 @@ std::optional<RegionMoments> silhouetteMoments(const FloorView &view, const Soli
     return pixels ? std::optional(polygonMoments(convexHull(std::move(*pixels)))) : std::nullopt;
 }
 
-std::optional<std::vector<float>> silhouetteSupport(const FloorView &view, const SolidShape &shape, const Vector2d &positionInWorld, double headingRad,
+std::optional<std::vector<float>> silhouetteSupport(const FloorView &view, const SolidShape &shape,
+                                                    const Vector2d &positionInWorld, double headingRad,
                                                     const Vector2d &aboutPx)
 {
     const auto pixels = cornerPixels(view, shape, positionInWorld, headingRad);
     return pixels ? std::optional(supportOf(*pixels, aboutPx)) : std::nullopt;
+}
+
+namespace {
+
+std::array<Eigen::Vector2d, supportDirections> allDirections()
+{
+    std::array<Eigen::Vector2d, supportDirections> directions;
+    for (std::size_t k = 0; k < supportDirections; ++k) {
+        const double angle = 2 * std::numbers::pi * double(k) / double(supportDirections);
+        directions[k] = {std::cos(angle), std::sin(angle)};
+    }
+    return directions;
+}
+
+/// What is left of a convex polygon on the inner side of a line: n·p ≤ reach.
+std::vector<Eigen::Vector2d> cutBy(const std::vector<Eigen::Vector2d> &polygon, const Eigen::Vector2d &n,
+                                   double reach)
+{
+    std::vector<Eigen::Vector2d> inside;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Eigen::Vector2d &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
+        const double beyondFrom = n.dot(from) - reach, beyondTo = n.dot(to) - reach;
+        if (beyondFrom <= 0)
+            inside.push_back(from);
+        if ((beyondFrom < 0 && beyondTo > 0) || (beyondFrom > 0 && beyondTo < 0))
+            inside.push_back(from + beyondFrom / (beyondFrom - beyondTo) * (to - from));
+    }
+    return inside;
+}
+
+} // namespace
+
+Eigen::Vector2d supportDirection(std::size_t k)
+{
+    static const auto directions = allDirections();
+    return directions[k];
+}
+
+std::vector<float> supportOf(const std::vector<Eigen::Vector2d> &points, const Eigen::Vector2d &about)
+{
+    std::vector<float> support(supportDirections);
+    for (std::size_t k = 0; k < supportDirections; ++k) {
+        const Eigen::Vector2d direction = supportDirection(k);
+        double farthest = -HUGE_VAL;
+        for (const Eigen::Vector2d &point : points)
+            farthest = std::max(farthest, direction.dot(point - about));
+        support[k] = float(farthest);
+    }
+    return support;
+}
+
+bool isWithinSupport(const std::vector<float> &support, const Eigen::Vector2d &about,
+                     const Eigen::Vector2d &place, double beyondPx)
+{
+    for (std::size_t k = 0; k < support.size(); ++k)
+        if (supportDirection(k).dot(place - about) > double(support[k]) + beyondPx)
+            return false;
+    return true;
+}
+
+std::vector<Eigen::Vector2d> supportPolygon(const std::vector<float> &support, const Eigen::Vector2d &about)
+{
+    constexpr double samePx = 1e-3;  // lines that meet in one point do so but for their rounding
+    constexpr double leastPx2 = 0.5; // smaller nothing was seen
+    static_assert(supportDirections % 4 == 0, "begins with the lines along the axes");
+    if (support.size() != supportDirections ||
+        !std::ranges::all_of(support, [](float reach) { return std::isfinite(reach); }))
+        return {};
+    constexpr std::size_t quarter = supportDirections / 4;
+    const double right = support[0], low = support[quarter], left = -support[2 * quarter],
+                 high = -support[3 * quarter];
+    if (left > right || high > low)
+        return {};
+    std::vector<Eigen::Vector2d> polygon{{right, high}, {right, low}, {left, low}, {left, high}};
+    for (std::size_t k = 0; k < supportDirections; ++k) {
+        if (k % quarter != 0)
+            polygon = cutBy(polygon, supportDirection(k), support[k]);
+    }
+    std::vector<Eigen::Vector2d> corners;
+    for (const Eigen::Vector2d &corner : polygon) {
+        if (corners.empty() || (corner - corners.back()).norm() > samePx)
+            corners.push_back(corner);
+    }
+    while (corners.size() > 1 && (corners.front() - corners.back()).norm() <= samePx)
+        corners.pop_back();
+    if (corners.size() < 3 || polygonMoments(corners).areaPx2 < leastPx2)
+        return {};
+    for (Eigen::Vector2d &corner : corners)
+        corner += about;
+    return corners;
 }
 
 } // namespace odo

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/geometry/floor_view.h"
-#include "core/geometry/region_moments.h"
+#include "core/geometry/polygon.h"
 
 #include <Eigen/Core>
 #include <array>
@@ -11,39 +11,66 @@
 
 namespace odo {
 
-/// A horizontal rectangle of a solid. Its sides lie along and across the heading, so far from the place that the solid is said to stand at.
+/// A horizontal rectangle of a solid. Its sides lie along and across the heading, so far from the place that
+/// the solid is said to stand at.
 struct SolidLevel
 {
     double heightM = 0; ///< above the floor
     double frontM = 0, backM = 0, leftM = 0, rightM = 0;
 };
 
-/// The solid of a robot: an upright box or cylinder between two heights above the floor, or the convex hull of three levels. A plate on
-/// a robot of another colour has equal heights. Metres.
+/// The solid of a robot: an upright box or cylinder between two heights above the floor, or the convex hull
+/// of three levels. A plate on a robot of another colour has equal heights. Metres.
 struct SolidShape
 {
     enum class Form { Box, Cylinder, Levels };
     Form form = Form::Box;
-    double lengthM = 0, widthM = 0; ///< along and across the heading, of all of it; of a cylinder both are the diameter
-    double baseM = 0, topM = 0;     ///< above the floor
-    std::array<SolidLevel, 3> levels = {}; ///< of Form::Levels, from below; the middle of what they cover is the place, unless that was moved (movedPlace)
-    double roundShare = 0;                 ///< of Form::Levels: radius of their corners against half of their shorter side, 0 to 1
+    /// along and across the heading, of all of it; of a cylinder both are the diameter
+    double lengthM = 0, widthM = 0;
+    double baseM = 0, topM = 0; ///< above the floor
+    /// of Form::Levels, from below; the middle of what they cover is the place, unless that was moved
+    /// (movedPlace)
+    std::array<SolidLevel, 3> levels = {};
+    /// of Form::Levels: radius of their corners against half of their shorter side, 0 to 1
+    double roundShare = 0;
 };
 
 /// The same solid as one of levels.
 SolidShape asLevels(SolidShape shape);
-/// A solid of levels that is said to stand at another place in it: so far forward and left of the one before. Metres.
+/// A solid of levels that is said to stand at another place in it: so far forward and left of the one before.
+/// Metres.
 SolidShape movedPlace(SolidShape levels, const Eigen::Vector2d &shiftM);
 
 /// What a view sees of the solid whose footprint's centre stands at a place of the floor, its length turned
 /// by headingRad from the world's X: the moments of the outline that its projected edges enclose (for a
 /// convex solid the convex hull of its corners; a circle is taken as 24 corners of the same area). Edges
-/// count as straight between corners, and a round corner as three: over the size of a robot a lens bends them by less than 0.05 px.
-/// nullopt: a corner lies behind the camera, or where the lens model folds.
+/// count as straight between corners, and a round corner as three: over the size of a robot a lens bends them
+/// by less than 0.05 px. nullopt: a corner lies behind the camera, or where the lens model folds.
 std::optional<RegionMoments> silhouetteMoments(const FloorView &view, const SolidShape &shape,
                                                const Eigen::Vector2d &positionInWorld, double headingRad);
-/// The support function of what a view sees of it (core/geometry/support.h), about a pixel. nullopt: as before.
-std::optional<std::vector<float>> silhouetteSupport(const FloorView &view, const SolidShape &shape, const Eigen::Vector2d &positionInWorld, double headingRad,
+/// The support function of what a view sees of it (core/geometry/silhouette.h), about a pixel. nullopt: as
+/// before.
+std::optional<std::vector<float>> silhouetteSupport(const FloorView &view, const SolidShape &shape,
+                                                    const Eigen::Vector2d &positionInWorld, double headingRad,
                                                     const Eigen::Vector2d &aboutPx);
+
+/// Directions of the picture in which the extent of a region is measured: direction k stands at 2πk/24 from
+/// the x axis toward y (down).
+constexpr std::size_t supportDirections = 24;
+Eigen::Vector2d supportDirection(std::size_t k);
+
+/// The support function of a region in each direction: how far it, and with it its convex hull, reaches from
+/// a place, max over the points of n·(point − about). Pixels. points: at least one. Pure.
+std::vector<float> supportOf(const std::vector<Eigen::Vector2d> &points, const Eigen::Vector2d &about);
+
+/// Whether a place lies within all support lines, or at most so far beyond one. Pure.
+bool isWithinSupport(const std::vector<float> &support, const Eigen::Vector2d &about,
+                     const Eigen::Vector2d &place, double beyondPx = 0);
+
+/// The polygon that a support function bounds: the points p with n·(p − about) ≤ support in every direction.
+/// Its corners in pixels, in the order of the directions, none twice. It contains the region's convex hull
+/// and touches each of its support lines. Empty where the lines leave no area between them, for fewer or more
+/// numbers than there are directions, and for numbers that are not finite. Pure.
+std::vector<Eigen::Vector2d> supportPolygon(const std::vector<float> &support, const Eigen::Vector2d &about);
 
 } // namespace odo

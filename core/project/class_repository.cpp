@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/class_repository.h"
 
-#include "core/base/without_value.h"
-#include "core/project/connection.h"
-#include "core/project/instant_now.h"
-#include "core/project/named_rows.h"
+#include "core/base/error.h"
+#include "core/project/internal/connection.h"
 #include "core/project/names.h"
+#include "core/project/records.h"
 
 namespace odo {
 

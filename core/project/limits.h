@@ -6,8 +6,8 @@
 
 namespace odo {
 
-/// What a project may hold: refused where it is entered, and where a file holds more, the rest is not read. docs/limits.md tells them
-/// with those that stand elsewhere (isOnFloor, checkTask, maxBlobRows).
+/// What a project may hold: refused where it is entered, and where a file holds more, the rest is not read.
+/// docs/limits.md tells them with those that stand elsewhere (isOnFloor, checkTask, maxBlobRows).
 
 /// In characters of Unicode.
 constexpr int maxNameLength = 200, maxTextLength = 20'000;

@@ -2,7 +2,7 @@
 #include "core/project/names.h"
 
 #include "core/base/plain_text.h"
-#include "core/project/connection.h"
+#include "core/project/internal/connection.h"
 
 #include <QStringDecoder>
 #include <algorithm>
@@ -38,15 +38,20 @@ bool breaksLine(uint character)
 /// Neither a blank nor what only joins or varies others.
 bool isSeen(uint character)
 {
-    return !QChar::isSpace(character) && !isInvisible(character) && character != 0x200c && character != 0x200d && !QChar::isMark(character);
+    return !QChar::isSpace(character) && !isInvisible(character) && character != 0x200c &&
+           character != 0x200d && !QChar::isMark(character);
 }
 
-QString normal(const QString &name) { return name.normalized(QString::NormalizationForm_C).trimmed(); }
+QString normal(const QString &name)
+{
+    return name.normalized(QString::NormalizationForm_C).trimmed();
+}
 
 /// Only then can the name be written or be shown in another way than it is stored.
 bool hasOtherForms(const std::string &name)
 {
-    return std::ranges::any_of(name, [](char c) { return static_cast<unsigned char>(c) >= 0x80 || c == '\\'; });
+    return std::ranges::any_of(name,
+                               [](char c) { return static_cast<unsigned char>(c) >= 0x80 || c == '\\'; });
 }
 
 /// what, ifEmpty: for the message.
@@ -65,8 +70,10 @@ Result<void> checkNamed(const std::string &what, const std::string &name, const 
     if (std::any_of(characters.begin(), characters.end(), breaksLine))
         return refuse("it holds a line break or another control character", "use a name of one line");
     if (const auto hidden = std::ranges::find_if(characters, isInvisible); hidden != characters.end())
-        return refuse("it holds an invisible character, " + QStringLiteral("U+%1").arg(*hidden, 4, 16, QLatin1Char('0')).toUpper().toStdString(),
-                      "type the name anew");
+        return refuse(
+            "it holds an invisible character, " +
+                QStringLiteral("U+%1").arg(*hidden, 4, 16, QLatin1Char('0')).toUpper().toStdString(),
+            "type the name anew");
     if (std::ranges::none_of(characters, isSeen))
         return refuse("it is empty", ifEmpty);
     return {};
@@ -94,7 +101,8 @@ std::string titleFromName(const std::filesystem::path &file)
 {
     // What is not UTF-8 is shown as its bytes.
     for (const std::string &name : {file.stem().string(), file.filename().string()})
-        if (const std::string title = normalName(shownName(QString::fromStdString(plainLine(name)))); checkTitle(title))
+        if (const std::string title = normalName(shownName(QString::fromStdString(plainLine(name))));
+            checkTitle(title))
             return title;
     return "Odograph";
 }
@@ -114,9 +122,11 @@ QString firstCharacters(const QString &text, int most)
 
 std::string shownName(const QString &stored)
 {
-    // An escaped character is at most eight long, and takes the place of one: no more than this can be shown of it.
+    // An escaped character is at most eight long, and takes the place of one: no more than this can be shown
+    // of it.
     const QString begin = firstCharacters(stored, maxNameLength + 1);
-    return firstCharacters(QString::fromStdString(plainLine(begin.toStdString())), maxNameLength).toStdString();
+    return firstCharacters(QString::fromStdString(plainLine(begin.toStdString())), maxNameLength)
+        .toStdString();
 }
 
 Result<void> checkText(const std::string &kind, const std::string &text)
@@ -131,7 +141,8 @@ Result<void> checkText(const std::string &kind, const std::string &text)
     return {};
 }
 
-Result<RecordId> idNamed(const ProjectConnection &connection, const std::string &table, const std::string &name)
+Result<RecordId> idNamed(const ProjectConnection &connection, const std::string &table,
+                         const std::string &name)
 {
     const QString rows = QStringLiteral("SELECT id, name FROM %1").arg(QString::fromStdString(table));
     Statement exact(connection, rows + QStringLiteral(" WHERE name=?"));
@@ -190,6 +201,41 @@ tl::unexpected<Error> noSuchId(const ProjectConnection &connection, const std::s
 {
     return fail(ErrorCode::NotFound, connection.displayName(),
                 "it has no " + kind + " with the number " + std::to_string(id), "run a check of the project");
+}
+
+Result<RecordId> idOfName(ProjectConnection &connection, const std::string &table, const std::string &name)
+{
+    if (name.empty())
+        return 0;
+    const auto known = idNamed(connection, table, name);
+    if (!known || *known != 0)
+        return known;
+    if (auto valid = checkName(table, name); !valid)
+        return tl::unexpected(valid.error());
+    Statement insert(connection,
+                     QStringLiteral("INSERT INTO %1 (name) VALUES (?)").arg(QString::fromStdString(table)));
+    if (auto done = insert.bind(normalName(name)).run(); !done)
+        return tl::unexpected(done.error());
+    return insert.insertedId();
+}
+
+Result<std::vector<std::string>> textsOf(const ProjectConnection &connection, const QString &sql)
+{
+    std::vector<std::string> texts;
+    Statement select(connection, sql);
+    auto read = select.eachRow([&texts](const Statement &row) -> Result<void> {
+        texts.push_back(row.name(0));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return texts;
+}
+
+Result<void> runFor(const ProjectConnection &connection, const char *sql, RecordId id)
+{
+    Statement statement(connection, QString::fromLatin1(sql));
+    return statement.bind(id).run();
 }
 
 } // namespace odo

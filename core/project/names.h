@@ -8,6 +8,7 @@
 #include <QString>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace odo {
 
@@ -16,8 +17,9 @@ struct ProjectConnection;
 /// A name as it is stored and compared: composed (NFC), without blanks around it.
 std::string normalName(const std::string &name);
 
-/// A name as people may give it to a camera, robot, team, trial…: UTF-8, something to be seen, at most 200 characters,
-/// no control, invisible or directional characters or line breaks. `kind` is the word for messages ("robot").
+/// A name as people may give it to a camera, robot, team, trial…: UTF-8, something to be seen, at most 200
+/// characters, no control, invisible or directional characters or line breaks. `kind` is the word for
+/// messages ("robot").
 Result<void> checkName(const std::string &kind, const std::string &name);
 
 /// A project's title as people may give it: as a name.
@@ -29,14 +31,16 @@ std::string titleFromName(const std::filesystem::path &file);
 /// With … in place of the rest of a longer text.
 QString firstCharacters(const QString &text, int most);
 
-/// A stored name as it is shown: of one line, with what is hidden in it made visible, and … in place of what is too long.
+/// A stored name as it is shown: of one line, with what is hidden in it made visible, and … in place of what
+/// is too long.
 std::string shownName(const QString &stored);
 
 /// A text that may be empty and of several lines: UTF-8 and at most 20,000 characters.
 Result<void> checkText(const std::string &kind, const std::string &text);
 
 /// The row of that name, in one of the ways in which it can be written or is shown; 0 without one.
-Result<RecordId> idNamed(const ProjectConnection &connection, const std::string &table, const std::string &name);
+Result<RecordId> idNamed(const ProjectConnection &connection, const std::string &table,
+                         const std::string &name);
 
 /// AlreadyExists when the table has a row of that name. `kind` is the word for messages.
 Result<void> checkNameIsFree(const ProjectConnection &connection, const std::string &table,
@@ -48,5 +52,15 @@ tl::unexpected<Error> noSuchName(const ProjectConnection &connection, const std:
 
 /// The NotFound of an id that refers to nothing.
 tl::unexpected<Error> noSuchId(const ProjectConnection &connection, const std::string &kind, std::int64_t id);
+
+/// The id of the row of that name in a table that has only names (class, task), made when it is new.
+/// 0 for an empty name.
+Result<RecordId> idOfName(ProjectConnection &connection, const std::string &table, const std::string &name);
+
+/// The first column of every row that a statement gives, as texts.
+Result<std::vector<std::string>> textsOf(const ProjectConnection &connection, const QString &sql);
+
+/// Runs a statement whose only parameter is an id.
+Result<void> runFor(const ProjectConnection &connection, const char *sql, RecordId id);
 
 } // namespace odo

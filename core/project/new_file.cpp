@@ -21,7 +21,10 @@ std::filesystem::path placeFolder(const std::filesystem::path &file)
 
 } // namespace
 
-NewFile::NewFile(std::filesystem::path target, std::string what) : m_target(std::move(target)), m_what(std::move(what)) {}
+NewFile::NewFile(std::filesystem::path target, std::string what)
+    : m_target(std::move(target)), m_what(std::move(what))
+{
+}
 
 NewFile::~NewFile() = default;
 
@@ -33,7 +36,8 @@ tl::unexpected<Error> NewFile::alreadyThere() const
 
 tl::unexpected<Error> NewFile::ioError(int reason) const
 {
-    return fail(ErrorCode::Io, m_what, std::string("writing it failed (") + std::strerror(reason) + ")", "check the disk and try again");
+    return fail(ErrorCode::Io, m_what, std::string("writing it failed (") + std::strerror(reason) + ")",
+                "check the disk and try again");
 }
 
 Result<void> NewFile::prepare()
@@ -65,7 +69,8 @@ Result<void> NewFile::publish()
         return ioError(errno);
     if (const int reason = giveFreeName(m_temporary, m_target); reason != 0)
         return reason == EEXIST ? alreadyThere() : ioError(reason);
-    syncToDisk(placeFolder(m_target)); // some file systems cannot sync a folder: the file itself is safe already
+    // some file systems cannot sync a folder: the file itself is safe already
+    syncToDisk(placeFolder(m_target));
     return {};
 }
 

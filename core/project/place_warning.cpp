@@ -16,12 +16,16 @@ namespace odo {
 namespace {
 
 constexpr std::array<std::string_view, 14> networkFileSystems = {
-    "nfs",        "nfs4",           "cifs",        "smb3",        "smbfs",          "afs",         "ceph",
-    "fuse.sshfs", "fuse.gvfsd-fuse", "fuse.rclone", "fuse.davfs", "fuse.glusterfs", "fuse.s3fs", "davfs"};
+    "nfs",         "nfs4",       "cifs",
+    "smb3",        "smbfs",      "afs",
+    "ceph",        "fuse.sshfs", "fuse.gvfsd-fuse",
+    "fuse.rclone", "fuse.davfs", "fuse.glusterfs",
+    "fuse.s3fs",   "davfs"};
 
 struct SyncProgram
 {
-    std::string_view name, folder, mark; ///< folder: how its name begins; mark: a file or folder in it, may be empty
+    /// folder: how its name begins; mark: a file or folder in it, may be empty
+    std::string_view name, folder, mark;
 };
 constexpr std::array<SyncProgram, 8> syncPrograms = {{
     {"Dropbox", "Dropbox", ".dropbox.cache"},
@@ -51,7 +55,8 @@ std::optional<std::string_view> syncProgramOf(const std::filesystem::path &folde
 {
     for (std::filesystem::path each = folder; each.has_relative_path(); each = each.parent_path()) {
         for (const SyncProgram &program : syncPrograms) {
-            const bool isNamedSo = !program.folder.empty() && each.filename().string().starts_with(program.folder);
+            const bool isNamedSo =
+                !program.folder.empty() && each.filename().string().starts_with(program.folder);
             if (isNamedSo || (!program.mark.empty() && files::exists(each / program.mark)))
                 return program.name;
         }
@@ -72,7 +77,8 @@ std::string fileSystemOf(const std::filesystem::path &file, const std::string &m
         words >> device >> place >> name;
         const std::filesystem::path mounted = withSpaces(place);
         const auto [rest, ignored] = std::mismatch(mounted.begin(), mounted.end(), file.begin(), file.end());
-        if (rest == mounted.end() && mounted.native().size() >= longest && !name.empty()) { // the last one of a place counts
+        // the last one of a place counts
+        if (rest == mounted.end() && mounted.native().size() >= longest && !name.empty()) {
             longest = mounted.native().size();
             kind = name;
         }
@@ -96,9 +102,11 @@ std::optional<std::string> placeWarning(const std::filesystem::path &project, co
     };
     const std::string kind = fileSystemOf(file, mounts);
     if (std::ranges::find(networkFileSystems, kind) != networkFileSystems.end())
-        return warning("it lies on a network disk (" + kind + "), where a recording can stall and two computers can damage it");
+        return warning("it lies on a network disk (" + kind +
+                       "), where a recording can stall and two computers can damage it");
     if (const auto program = syncProgramOf(file.parent_path()))
-        return warning("it lies in a folder that " + std::string(*program) + " copies while it changes, so that a copy may have half a change");
+        return warning("it lies in a folder that " + std::string(*program) +
+                       " copies while it changes, so that a copy may have half a change");
     return std::nullopt;
 }
 

@@ -2,19 +2,18 @@
 #include "core/project/project.h"
 
 #include "core/base/file_system.h"
-#include "core/files/output_guard.h"
-#include "core/project/change_journal.h"
+#include "core/files/output_file.h"
 #include "core/project/class_repository.h"
-#include "core/project/connection.h"
-#include "core/project/file_header.h"
+#include "core/project/internal/change_journal.h"
+#include "core/project/internal/connection.h"
+#include "core/project/internal/opening_check.h"
+#include "core/project/internal/project_check.h"
+#include "core/project/internal/schema.h"
 #include "core/project/names.h"
 #include "core/project/new_file.h"
-#include "core/project/opening_check.h"
-#include "core/project/project_check.h"
+#include "core/project/project_rescue.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
-#include "core/project/schema.h"
-#include "core/project/sound_backup.h"
 
 namespace odo {
 
@@ -58,8 +57,8 @@ struct Project::Impl
 {
     Impl(std::unique_ptr<ProjectConnection> opened, bool isToWriteBack)
         : connection(std::move(opened)), cameras(*connection), layouts(*connection), robots(*connection),
-          teams(*connection), classes(*connection), tasks(*connection), trials(*connection), analyses(*connection),
-          journal(*connection), writesBack(isToWriteBack)
+          teams(*connection), classes(*connection), tasks(*connection), trials(*connection),
+          analyses(*connection), journal(*connection), writesBack(isToWriteBack)
     {
         if (connection->access() == DatabaseAccess::ReadWrite)
             connection->watchForOverwriting();
@@ -130,7 +129,8 @@ bool isReady(const ProjectConnection &connection)
 {
     Statement mode(connection, QStringLiteral("PRAGMA journal_mode"));
     const auto version = connection.number(QStringLiteral("PRAGMA user_version"));
-    return version && *version == projectMigrator().newestVersion() && mode.firstRow().value_or(false) && mode.text(0) == "wal";
+    return version && *version == projectMigrator().newestVersion() && mode.firstRow().value_or(false) &&
+           mode.text(0) == "wal";
 }
 
 /// Brings it up to date, while other processes that would do the same wait.
@@ -176,7 +176,8 @@ Result<std::unique_ptr<Project>> Project::open(const std::filesystem::path &file
             return tl::unexpected(migrated.error());
         return connectTo(file, access, false);
     }
-    return std::unique_ptr<Project>(new Project(std::make_unique<Impl>(std::move(*connection), access == Access::ReadWrite)));
+    return std::unique_ptr<Project>(
+        new Project(std::make_unique<Impl>(std::move(*connection), access == Access::ReadWrite)));
 }
 
 Result<std::unique_ptr<Project>> Project::openChecked(const std::filesystem::path &file, Access access)
@@ -189,7 +190,8 @@ Result<std::unique_ptr<Project>> Project::openAgain(const std::filesystem::path 
     return connectTo(file, access, false); // who keeps it open writes it back
 }
 
-Result<std::unique_ptr<Project>> Project::connectTo(const std::filesystem::path &file, Access access, bool writesBack)
+Result<std::unique_ptr<Project>> Project::connectTo(const std::filesystem::path &file, Access access,
+                                                    bool writesBack)
 {
     if (auto isFile = checkIsFile(file); !isFile) // SQLite would make a file that has gone meanwhile
         return tl::unexpected(isFile.error());
@@ -221,14 +223,16 @@ Result<std::string> Project::title() const
     if (!found)
         return tl::unexpected(found.error());
     const std::string title = *found ? select.name(0) : std::string();
-    return normalName(title).empty() ? titleFromName(file()) : title; // another program, or an older one, gave it none
+    // another program, or an older one, gave it none
+    return normalName(title).empty() ? titleFromName(file()) : title;
 }
 
 Result<void> Project::setTitle(const std::string &title)
 {
     if (auto valid = checkTitle(title); !valid)
         return valid;
-    return transact(*m_impl->connection, [&] { return setProperty(*m_impl->connection, "title", normalName(title)); });
+    return transact(*m_impl->connection,
+                    [&] { return setProperty(*m_impl->connection, "title", normalName(title)); });
 }
 
 CameraRepository &Project::cameras()

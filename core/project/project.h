@@ -47,12 +47,13 @@ class Project
 public:
     enum class Access { ReadWrite, ReadOnly };
 
-    /// Makes a new file with the current schema. AlreadyExists where a file of that name is; InvalidInput for a title that checkTitle()
-    /// refuses; nothing is left behind on failure.
-    static Result<std::unique_ptr<Project>> create(const std::filesystem::path &file, const std::string &title);
-    /// Opens a file; older schemas are migrated after a verified backup ("<name>.odo.bak-<version>"), before it is
-    /// opened for reading as well. Errors: missing, not a project, corrupt, newer (NewerFormat), no write access, or of
-    /// an older format without it (ReadOnly).
+    /// Makes a new file with the current schema. AlreadyExists where a file of that name is; InvalidInput for
+    /// a title that checkTitle() refuses; nothing is left behind on failure.
+    static Result<std::unique_ptr<Project>> create(const std::filesystem::path &file,
+                                                   const std::string &title);
+    /// Opens a file; older schemas are migrated after a verified backup ("<name>.odo.bak-<version>"), before
+    /// it is opened for reading as well. Errors: missing, not a project, corrupt, newer (NewerFormat), no
+    /// write access, or of an older format without it (ReadOnly).
     static Result<std::unique_ptr<Project>> open(const std::filesystem::path &file, Access access);
     /// What can be told of a file at once: that it is missing, no project, cut off, or of a newer Odograph.
     static Result<void> checkHeader(const std::filesystem::path &file);
@@ -67,7 +68,8 @@ public:
     Project &operator=(const Project &) = delete;
 
     const std::filesystem::path &file() const;
-    /// "<name>.media" beside the file, links to it followed; absolute; made when first needed by those who write there.
+    /// "<name>.media" beside the file, links to it followed; absolute; made when first needed by those who
+    /// write there.
     std::filesystem::path mediaFolder() const;
     /// Absolute path of a recording.
     std::filesystem::path resolve(const RecordingRecord &recording) const;
@@ -86,16 +88,18 @@ public:
     TrialRepository &trials();
     AnalysisRepository &analyses();
 
-    /// Runs work in one transaction that is rolled back when work fails; inside another one it is a savepoint of it.
+    /// Runs work in one transaction that is rolled back when work fails; inside another one it is a savepoint
+    /// of it.
     Result<void> inTransaction(const std::function<Result<void>()> &work);
-    /// As inTransaction, of a change that a person made and can take back. words: what it does ("rename team Falcon"), also
-    /// for the list of changes. Inside another change it is a part of that one; work that changes nothing leaves no trace.
+    /// As inTransaction, of a change that a person made and can take back. words: what it does ("rename team
+    /// Falcon"), also for the list of changes. Inside another change it is a part of that one; work that
+    /// changes nothing leaves no trace.
     Result<void> change(const std::string &words, const std::function<Result<void>()> &work);
-    /// As change, of what cannot be taken back because it adds much (what was recorded, imported, measured) or removes for good: it is
-    /// told in the list of changes. Inside a change it is a part of that one.
+    /// As change, of what cannot be taken back because it adds much (what was recorded, imported, measured)
+    /// or removes for good: it is told in the list of changes. Inside a change it is a part of that one.
     Result<void> note(const std::string &words, const std::function<Result<void>()> &work);
-    /// Takes the last change of this sitting back, or makes it again; gives its words. NotFound where there is none;
-    /// InvalidInput, and nothing done, where what it concerns has been changed since in another way.
+    /// Takes the last change of this sitting back, or makes it again; gives its words. NotFound where there
+    /// is none; InvalidInput, and nothing done, where what it concerns has been changed since in another way.
     Result<std::string> undo();
     Result<std::string> redo();
     /// Of what undo and redo would concern; empty: nothing.
@@ -103,28 +107,30 @@ public:
     std::string redoWords() const;
     /// What was ever changed and when, the newest first.
     Result<std::vector<ChangeEntry>> changes() const;
-    /// Whether the file is still where it was opened. One that was deleted, renamed or replaced since can be read here as long
-    /// as it is open, and saveCopy rescues it; changes are refused, for they would be lost to whoever opens that path.
+    /// Whether the file is still where it was opened. One that was deleted, renamed or replaced since can be
+    /// read here as long as it is open, and saveCopy rescues it; changes are refused, for they would be lost
+    /// to whoever opens that path.
     bool isInPlace() const;
     /// From now on such changes are made: by who rescues the project then.
     void keepWritingWhenLost();
-    /// Whether another file was copied over this one, or anything else wrote to it past SQLite, since it was opened for writing. What it
-    /// held is gone, and nothing more is written to it here: open it again. False while somebody writes to it as this program does.
+    /// Whether another file was copied over this one, or anything else wrote to it past SQLite, since it was
+    /// opened for writing. What it held is gone, and nothing more is written to it here: open it again. False
+    /// while somebody writes to it as this program does.
     bool isOverwritten() const;
     /// Where the file is now that was opened; nothing where it was deleted.
     std::optional<std::filesystem::path> presentPlace() const;
     /// What tells whether anything was changed since.
     Result<ProjectState> state() const;
-    /// Writes what the log holds into the project file, without waiting for those who read: a copy of the file has it then.
-    /// False where somebody still reads an older state, or another program writes.
+    /// Writes what the log holds into the project file, without waiting for those who read: a copy of the
+    /// file has it then. False where somebody still reads an older state, or another program writes.
     bool writeBack() const;
     /// As writeBack, but waits for those who read, and leaves an empty log.
     bool emptyLog() const;
     /// Copies the whole project to another file through SQLite's backup API.
     Result<void> saveCopy(const std::filesystem::path &file) const;
-    /// Integrity of the database, references, files (present, size), and whether analyses are what they were when they were made, by
-    /// their digests. withHashes, which takes as long as reading all recordings: the content of the files as well, and every metric
-    /// computed again from the stored positions. Cancelled.
+    /// Integrity of the database, references, files (present, size), and whether analyses are what they were
+    /// when they were made, by their digests. withHashes, which takes as long as reading all recordings: the
+    /// content of the files as well, and every metric computed again from the stored positions. Cancelled.
     Result<std::vector<ProjectProblem>> check(bool withHashes, const JobControl &control = {}) const;
 
 private:
@@ -134,5 +140,19 @@ private:
                                                       bool writesBack);
     std::unique_ptr<Impl> m_impl;
 };
+
+/// Project::change of work that gives a Result with a value, which is passed on.
+template <class Work>
+auto changing(Project &project, const std::string &words, const Work &work) -> decltype(work())
+{
+    std::optional<decltype(work())> outcome;
+    const Result<void> done = project.change(words, [&]() -> Result<void> {
+        outcome = work();
+        return *outcome ? Result<void>() : tl::unexpected(outcome->error());
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return std::move(*outcome);
+}
 
 } // namespace odo

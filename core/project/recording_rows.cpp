@@ -2,11 +2,13 @@
 #include "core/project/recording_rows.h"
 
 #include "core/base/file_system.h"
-#include "core/files/protected_files.h"
 #include "core/base/sha256.h"
-#include "core/project/connection.h"
+#include "core/files/protected_files.h"
+#include "core/project/internal/analysis_digest.h"
+#include "core/project/internal/connection.h"
+#include "core/project/internal/series_blobs.h"
 #include "core/project/names.h"
-#include "core/project/series_blobs.h"
+#include "core/project/repositories.h"
 
 #include <QFile>
 #include <algorithm>
@@ -18,9 +20,9 @@ namespace {
 constexpr int largestSidePx = 32'000; // of a picture that is read at all
 constexpr const char *mediaEnding = ".media";
 
-const QString recordingColumns =
-    QStringLiteral("SELECT recording.id, trial_id, camera_id, camera.name, position, path, sha256, bytes, width_px, "
-                   "height_px, frames_per_second, start_offset_s, clock_rate, recording.sync_method, start_offset_sigma_s ");
+const QString recordingColumns = QStringLiteral(
+    "SELECT recording.id, trial_id, camera_id, camera.name, position, path, sha256, bytes, width_px, "
+    "height_px, frames_per_second, start_offset_s, clock_rate, recording.sync_method, start_offset_sigma_s ");
 
 /// The folder of the project, absolute and without "." and "..".
 std::filesystem::path projectFolder(const std::filesystem::path &projectFile)
@@ -138,11 +140,20 @@ Result<RecordId> addRecording(ProjectConnection &connection, const RecordingReco
 
 Result<void> updateRecording(ProjectConnection &connection, const RecordingRecord &recording)
 {
-    Statement update(connection,
-                     QStringLiteral("UPDATE recording SET position=?, sha256=?, bytes=?, width_px=?, height_px=?, frames_per_second=?, "
-                                    "start_offset_s=?, clock_rate=?, sync_method=?, start_offset_sigma_s=? WHERE id=?"));
-    update.bind(recording.position).bind(recording.sha256).bind(recording.bytes).bind(recording.widthPx).bind(recording.heightPx);
-    update.bind(recording.framesPerSecond).bind(recording.startOffsetS).bind(recording.clockRate).bind(recording.syncMethod);
+    Statement update(
+        connection,
+        QStringLiteral("UPDATE recording SET position=?, sha256=?, bytes=?, width_px=?, height_px=?, "
+                       "frames_per_second=?, "
+                       "start_offset_s=?, clock_rate=?, sync_method=?, start_offset_sigma_s=? WHERE id=?"));
+    update.bind(recording.position)
+        .bind(recording.sha256)
+        .bind(recording.bytes)
+        .bind(recording.widthPx)
+        .bind(recording.heightPx);
+    update.bind(recording.framesPerSecond)
+        .bind(recording.startOffsetS)
+        .bind(recording.clockRate)
+        .bind(recording.syncMethod);
     if (auto done = update.bind(recording.startOffsetSigmaS).bind(recording.id).run(); !done)
         return done;
     Statement remove(connection, QStringLiteral("DELETE FROM frame_time_chunk WHERE recording_id=?"));
@@ -153,24 +164,28 @@ Result<void> updateRecording(ProjectConnection &connection, const RecordingRecor
 
 Result<std::vector<RecordingRecord>> recordingsOf(const ProjectConnection &connection, RecordId trial)
 {
-    Statement select(connection, recordingColumns + QStringLiteral("FROM recording JOIN camera ON camera.id=camera_id "
-                                                                   "WHERE trial_id=? ORDER BY position LIMIT ?"));
+    Statement select(connection,
+                     recordingColumns + QStringLiteral("FROM recording JOIN camera ON camera.id=camera_id "
+                                                       "WHERE trial_id=? ORDER BY position LIMIT ?"));
     return readWhole(connection, select.bind(trial).bind(static_cast<std::int64_t>(mostViews)));
 }
 
 Result<std::vector<RecordingRecord>> recordingsWithoutTimes(const ProjectConnection &connection)
 {
-    Statement select(connection, recordingColumns + QStringLiteral("FROM recording JOIN camera ON camera.id=camera_id "
-                                                                   "ORDER BY trial_id, position"));
+    Statement select(connection,
+                     recordingColumns + QStringLiteral("FROM recording JOIN camera ON camera.id=camera_id "
+                                                       "ORDER BY trial_id, position"));
     return readRecordings(select);
 }
 
 Result<std::optional<RecordingRecord>> newestRecordingOf(const ProjectConnection &connection, RecordId camera)
 {
     // Trials come first, by their date: the newest one that has such a recording ends the search.
-    Statement select(connection, recordingColumns + QStringLiteral("FROM trial CROSS JOIN recording JOIN camera ON camera.id=camera_id "
-                                                                   "WHERE trial_id=trial.id AND camera_id=? "
-                                                                   "ORDER BY date_ms DESC, trial.id DESC, position LIMIT 1"));
+    Statement select(connection,
+                     recordingColumns +
+                         QStringLiteral("FROM trial CROSS JOIN recording JOIN camera ON camera.id=camera_id "
+                                        "WHERE trial_id=trial.id AND camera_id=? "
+                                        "ORDER BY date_ms DESC, trial.id DESC, position LIMIT 1"));
     auto newest = readWhole(connection, select.bind(camera));
     if (!newest)
         return tl::unexpected(newest.error());
@@ -180,7 +195,8 @@ Result<std::optional<RecordingRecord>> newestRecordingOf(const ProjectConnection
 std::string storedPath(const std::filesystem::path &projectFile, const std::filesystem::path &file)
 {
     const std::filesystem::path normal = file.lexically_normal();
-    const std::filesystem::path folder = projectFolder(projectFile), relative = normal.lexically_relative(folder);
+    const std::filesystem::path folder = projectFolder(projectFile),
+                                relative = normal.lexically_relative(folder);
     if (!climbsOut(relative))
         return relative.generic_string();
     std::error_code problem; // the project may have been opened by another way than the file was named by
@@ -240,6 +256,159 @@ Result<std::string> fileSha256(const std::filesystem::path &file, const JobContr
         hash.add(block.constData(), static_cast<std::size_t>(count));
     }
     return hash.hex();
+}
+
+// TrialRepository's part of trials that are being recorded.
+
+namespace {
+
+Result<void> removeRecording(ProjectConnection &connection, RecordId id)
+{
+    for (const char *sql :
+         {"DELETE FROM raw_time_chunk WHERE recording_id=?",
+          "DELETE FROM frame_time_chunk WHERE recording_id=?", "DELETE FROM recording WHERE id=?"}) {
+        if (auto done = runFor(connection, sql, id); !done)
+            return done;
+    }
+    return {};
+}
+
+Result<void> updateTrial(ProjectConnection &connection, const TrialRecord &trial)
+{
+    Statement update(
+        connection,
+        QStringLiteral(
+            "UPDATE trial SET sync_method=?, sync_offset_s=?, sync_offset_sigma_s=?, sync_score=?, "
+            "duration_s=?, state='complete' WHERE id=?"));
+    update.bind(trial.syncMethod).bind(trial.syncOffsetS).bind(trial.syncOffsetSigmaS).bind(trial.syncScore);
+    return update.bind(trial.durationS).bind(trial.id).run();
+}
+
+} // namespace
+
+Result<TrialRecord> TrialRepository::begin(const TrialRecord &trial,
+                                           const std::vector<RecordingRecord> &recordings)
+{
+    return transact(m_connection, [&]() -> Result<TrialRecord> {
+        auto added = add(trial, recordings);
+        if (!added)
+            return added;
+        Statement update(m_connection, QStringLiteral("UPDATE trial SET state='recording' WHERE id=?"));
+        if (auto done = update.bind(added->id).run(); !done)
+            return tl::unexpected(done.error());
+        return get(added->id);
+    });
+}
+
+Result<void> TrialRepository::appendRawTimes(RecordId recording, const RecordedTimes &times)
+{
+    if (times.pictures.empty() && times.readings.empty())
+        return {};
+    Statement insert(
+        m_connection,
+        QStringLiteral(
+            "INSERT INTO raw_time_chunk SELECT ?, COUNT(*), ?, ? FROM raw_time_chunk WHERE recording_id=?"));
+    insert.bind(recording).bind(packRawTimes(times.pictures)).bind(packClockReadings(times.readings));
+    return insert.bind(recording).run();
+}
+
+Result<RecordedTimes> TrialRepository::rawTimes(RecordId recording) const
+{
+    RecordedTimes times;
+    const std::string what = "raw times of recording " + std::to_string(recording);
+    Statement select(
+        m_connection,
+        QStringLiteral(
+            "SELECT pictures, readings FROM raw_time_chunk WHERE recording_id=? ORDER BY position"));
+    auto read = select.bind(recording).eachRow([&](const Statement &row) -> Result<void> {
+        if (auto pictures = unpackRawTimes(row.blob(0), what, times.pictures); !pictures)
+            return pictures;
+        return unpackClockReadings(row.blob(1), what, times.readings);
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return times;
+}
+
+Result<void> TrialRepository::setDuration(RecordId trial, double durationS)
+{
+    Statement update(m_connection, QStringLiteral("UPDATE trial SET duration_s=? WHERE id=?"));
+    return update.bind(durationS).bind(trial).run();
+}
+
+Result<void> TrialRepository::complete(const TrialRecord &trial,
+                                       const std::vector<RecordingRecord> &recordings)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        const auto before = get(trial.id);
+        if (!before)
+            return tl::unexpected(before.error());
+        if (!before->unfinished)
+            return fail(ErrorCode::InvalidInput, "trial '" + before->name + "'",
+                        "its recording has ended already", "record another trial");
+        const auto begun = this->recordings(trial.id);
+        if (!begun)
+            return tl::unexpected(begun.error());
+        for (const RecordingRecord &recording : *begun) {
+            if (std::ranges::find(recordings, recording.id, &RecordingRecord::id) != recordings.end())
+                continue;
+            if (auto removed = removeRecording(m_connection, recording.id); !removed)
+                return removed;
+        }
+        for (const RecordingRecord &recording : recordings) {
+            if (auto updated = updateRecording(m_connection, recording); !updated)
+                return updated;
+        }
+        return updateTrial(m_connection, trial);
+    });
+}
+
+Result<std::vector<RecordingRecord>> TrialRepository::unhashed() const
+{
+    std::vector<RecordingRecord> recordings;
+    Statement select(
+        m_connection,
+        QStringLiteral("SELECT recording.id, trial_id, path, bytes FROM recording JOIN trial ON "
+                       "trial.id=trial_id WHERE sha256='' AND state='complete' ORDER BY recording.id"));
+    auto read = select.eachRow([&](const Statement &row) -> Result<void> {
+        RecordingRecord recording;
+        recording.id = row.integer(0);
+        recording.trial = row.integer(1);
+        recording.path = row.text(2);
+        recording.bytes = row.integer(3);
+        recordings.push_back(std::move(recording));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return recordings;
+}
+
+Result<void> TrialRepository::setHash(RecordId recording, const std::string &sha256)
+{
+    return setRecordingHash(m_connection, recording, sha256);
+}
+
+Result<void> TrialRepository::removeUnfinished(RecordId trial)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        const auto known = get(trial);
+        if (!known)
+            return tl::unexpected(known.error());
+        if (!known->unfinished)
+            return fail(ErrorCode::InvalidInput, "trial '" + known->name + "'",
+                        "its recording has ended, and is kept", "leave it");
+        const auto recordings = this->recordings(trial);
+        if (!recordings)
+            return tl::unexpected(recordings.error());
+        for (const RecordingRecord &recording : *recordings) {
+            if (auto removed = removeRecording(m_connection, recording.id); !removed)
+                return removed;
+        }
+        if (auto removed = runFor(m_connection, "DELETE FROM trial_robot WHERE trial_id=?", trial); !removed)
+            return removed;
+        return runFor(m_connection, "DELETE FROM trial WHERE id=?", trial);
+    });
 }
 
 } // namespace odo

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/analysis/profile.h"
+#include "core/analysis/task.h"
 #include "core/base/units.h"
 #include "core/calibration/floor_registration.h"
 #include "core/calibration/intrinsic_calibration.h"
 #include "core/calibration/marker_layout.h"
 #include "core/tracking/observation.h"
 #include "core/trajectory/analyser.h"
-#include "core/trajectory/profile.h"
-#include "core/trajectory/task.h"
 
-#include <cstdint>
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,12 +46,12 @@ struct IntrinsicsRecord
     RecordId camera = 0;
     Instant made;
     std::string origin; ///< "calibrated", "imported from A.yaml"
-    /// For an import: rmsPx 0 and no pictures. What follows from the rest is not stored: onFloor (expectedOnFloor gives
-    /// it), halvesApart, lensTrials. With its pictures' corners it can be solved again (recalibrate); those of projects
-    /// before format 5 have none.
+    /// For an import: rmsPx 0 and no pictures. What follows from the rest is not stored: onFloor
+    /// (expectedOnFloor gives it), halvesApart, lensTrials. With its pictures' corners it can be solved again
+    /// (recalibrate); those of projects before format 5 have none.
     IntrinsicCalibration calibration;
-    BoardSpec board;             ///< as it was found out; 0 columns: not known
-    std::string softwareVersion; ///< that made it; empty: not known
+    BoardSpec board;                  ///< as it was found out; 0 columns: not known
+    std::string softwareVersion;      ///< that made it; empty: not known
     std::vector<StoredPicture> files; ///< one for each of calibration.pictures, or none at all
 };
 
@@ -76,8 +76,8 @@ struct RegistrationRecord
     Intrinsics assumedIntrinsics; ///< what was used when intrinsics is 0
     std::vector<MarkerPixel> pixels;
     FloorRegistration registration;
-    std::string softwareVersion; ///< that made it; empty: not known
-    StoredPicture picture;       ///< in which the markers were seen
+    std::string softwareVersion;                ///< that made it; empty: not known
+    StoredPicture picture;                      ///< in which the markers were seen
     std::optional<RegistrationCheck> lastCheck; ///< read only; added by addCheck
 };
 
@@ -87,7 +87,8 @@ struct LayoutRecord
     MarkerLayout layout;
 };
 
-/// In what colour of the charts' palette (Okabe and Ito 2008) a robot is drawn; by itself as its place in the trial says.
+/// In what colour of the charts' palette (Okabe and Ito 2008) a robot is drawn; by itself as its place in the
+/// trial says.
 enum class DrawingColour { Automatic, Blue, Vermilion, Green, Purple, Orange, SkyBlue };
 
 struct RobotRecord
@@ -96,19 +97,22 @@ struct RobotRecord
     std::string name;
     std::optional<RgbColour> colour; ///< by which it is tracked; none: by how it differs from the background
     enum class Height { Told, Automatic, Free } heightMode = Height::Automatic;
-    std::optional<double> heightM;          ///< when Told
+    std::optional<double> heightM; ///< when Told
     std::optional<double> lengthM, widthM;
     DrawingColour drawingColour = DrawingColour::Automatic;
-    Eigen::Vector2d referenceM = Eigen::Vector2d::Zero(); ///< forward and left from its footprint's centre: the point that is measured
+    /// forward and left from its footprint's centre: the point that is measured
+    Eigen::Vector2d referenceM = Eigen::Vector2d::Zero();
 };
 
 struct TeamRecord
 {
     RecordId id = 0;
     std::string name, className;
-    std::string pseudonym = {}; ///< by which it is shown where names are to stay among those who know them; may be empty
+    /// by which it is shown where names are to stay among those who know them; may be empty
+    std::string pseudonym = {};
     std::vector<std::string> members = {}; ///< names of the people, in the order of the list
-    std::vector<RecordId> robots = {};     ///< that belong to it, in the order of the list; a robot may belong to several teams
+    /// that belong to it, in the order of the list; a robot may belong to several teams
+    std::vector<RecordId> robots = {};
 };
 
 /// A task's course is not changed once it is stored: trials were measured by it.
@@ -124,28 +128,31 @@ struct TrialRecord
 {
     RecordId id = 0;
     std::string name;
-    RecordId team = 0; ///< 0: none
+    RecordId team = 0;               ///< 0: none
     std::string teamName, className; ///< read only, joined
     std::string teamPseudonym;       ///< read only, joined; may be empty
-    std::string task; ///< its name; empty: none
+    std::string task;                ///< its name; empty: none
     Instant date;
     std::string notes;
-    std::string syncMethod;       ///< of the second view: "none", "told", "auto" (from the motion), "flash" (of light), "clock"
-                                  ///< (recorded here, by the cameras' time stamps)
-    double syncOffsetS = 0;       ///< how much later the second view's first frame was taken than the first's
+    /// of the second view: "none", "told", "auto" (from the motion), "flash" (of light), "clock"
+    std::string syncMethod;
+    ///< (recorded here, by the cameras' time stamps)
+    double syncOffsetS = 0; ///< how much later the second view's first frame was taken than the first's
     double syncOffsetSigmaS = 0;
-    double syncRate = 0;          ///< by how much the second view's clock runs faster than the first's
-    double syncRateSigma = 0;     ///< 0: not looked for
+    double syncRate = 0;      ///< by how much the second view's clock runs faster than the first's
+    double syncRateSigma = 0; ///< 0: not looked for
     double syncScore = 0;
-    std::vector<RecordId> robots; ///< that are expected in it
+    std::vector<RecordId> robots;        ///< that are expected in it
     std::vector<std::string> robotNames; ///< read only, joined
     double durationS = 0;
-    int viewCount = 0;            ///< read only
+    int viewCount = 0; ///< read only
     bool starred = false;
     std::vector<std::string> tags;   ///< in alphabetical order
     std::optional<Instant> archived; ///< since when it is out of the way; it counts as before
-    std::optional<Instant> binned;   ///< since when it lies in the bin: it counts nowhere, and can be taken out again
-    bool unfinished = false;      ///< read only: it is being recorded, or was when that was cut off; its recordings have raw times only
+    /// since when it lies in the bin: it counts nowhere, and can be taken out again
+    std::optional<Instant> binned;
+    /// read only: it is being recorded, or was when that was cut off; its recordings have raw times only
+    bool unfinished = false;
 };
 
 /// What a list to choose from needs of a trial.
@@ -162,21 +169,22 @@ struct RecordingRecord
     RecordId id = 0;
     RecordId trial = 0;
     RecordId camera = 0;
-    std::string cameraName;      ///< read only, joined
-    int position = 0;            ///< 0: the first view
-    std::string path;            ///< relative to the project's folder when beside it, else absolute
-    std::string sha256;          ///< empty: not made yet
+    std::string cameraName; ///< read only, joined
+    int position = 0;       ///< 0: the first view
+    std::string path;       ///< relative to the project's folder when beside it, else absolute
+    std::string sha256;     ///< empty: not made yet
     std::int64_t bytes = 0;
     int widthPx = 0, heightPx = 0;
     double framesPerSecond = 0;
-    std::string syncMethod;      ///< how startOffsetS is known, as in TrialRecord; empty: the first view
-    double startOffsetS = 0;     ///< against the first view
+    std::string syncMethod;       ///< how startOffsetS is known, as in TrialRecord; empty: the first view
+    double startOffsetS = 0;      ///< against the first view
     double startOffsetSigmaS = 0; ///< 0: not known
-    double clockRate = 0;        ///< by how much its clock runs faster than the first view's
+    double clockRate = 0;         ///< by how much its clock runs faster than the first view's
     std::vector<Nanoseconds> frameTimes;
 };
 
-/// Whether a view was put in step by something that was measured, with a σ: not told by hand, nor left out of step.
+/// Whether a view was put in step by something that was measured, with a σ: not told by hand, nor left out of
+/// step.
 inline bool isStepMeasured(const RecordingRecord &view)
 {
     return view.syncMethod == "auto" || view.syncMethod == "flash" || view.syncMethod == "clock";
@@ -196,17 +204,19 @@ struct ImportedTrack
 {
     RecordId trial = 0, robot = 0;
     Instant imported;
-    std::string file;     ///< its name, without folders
+    std::string file; ///< its name, without folders
     std::string sha256;
     std::int64_t bytes = 0;
-    std::string format;   ///< what it was read as, one word: "tum", "csv", "tracker"
-    std::string reading;  ///< for people: units, axes and errors it was read with
-    /// In order of time, with their covariances; flagged Lost where it has no position. Views and disagreement are not known.
+    std::string format;  ///< what it was read as, one word: "tum", "csv", "tracker"
+    std::string reading; ///< for people: units, axes and errors it was read with
+    /// In order of time, with their covariances; flagged Lost where it has no position. Views and
+    /// disagreement are not known.
     std::vector<Sample> samples;
     double noiseM = 0; ///< read only: the root mean square σ of a coordinate
 };
 
-/// A stretch of a trial in which it could not be told which of several robots of one look a robot is, so that it may be another one from then on.
+/// A stretch of a trial in which it could not be told which of several robots of one look a robot is, so that
+/// it may be another one from then on.
 struct DoubtfulName
 {
     Nanoseconds from{0}, to{0};          ///< of the trial, from not after to
@@ -214,11 +224,12 @@ struct DoubtfulName
     std::vector<std::string> otherNames; ///< read only, joined
 };
 
-/// Where a person says that a robot of any look is in one picture of a trial. The tracker follows what is there.
+/// Where a person says that a robot of any look is in one picture of a trial. The tracker follows what is
+/// there.
 struct PointedOutRobot
 {
     RecordId robot = 0, recording = 0;
-    std::int64_t frame = 0;                           ///< of the recording
+    std::int64_t frame = 0;                          ///< of the recording
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero(); ///< luma pixels
     bool operator==(const PointedOutRobot &) const = default;
 };
@@ -232,13 +243,15 @@ struct AnalysisRecord
     std::string robotName; ///< read only, joined
     Instant made;
     std::string softwareVersion;
-    RecordId task = 0;       ///< by which gates, path and limits it was measured; 0: by none
-    AnalysisOptions options; ///< read back without the task
+    RecordId task = 0;                   ///< by which gates, path and limits it was measured; 0: by none
+    AnalysisOptions options;             ///< read back without the task
     std::vector<RecordId> registrations; ///< one a view, in the views' order; 0 where unregistered
     std::vector<std::string> views;      ///< names of the views, bit i of Sample::views
     Profile profile;
-    std::vector<DoubtfulName> doubtfulNames; ///< in order; found as the observations were made, so an analysis made again keeps them
-    /// Read only: whether positions and metrics are as they were when it was made. NotKept: it is older than digests.
+    /// in order; found as the observations were made, so an analysis made again keeps them
+    std::vector<DoubtfulName> doubtfulNames;
+    /// Read only: whether positions and metrics are as they were when it was made. NotKept: it is older than
+    /// digests.
     enum class Proof { NotKept, Holds, Broken } proof = Proof::NotKept;
 };
 
@@ -266,5 +279,11 @@ struct TruthSeries
     std::vector<Nanoseconds> times; ///< since the first view's first frame
     std::vector<Eigen::Vector2d> positions, velocities, accelerations;
 };
+
+/// The wall clock, as moments are stored. Any thread.
+inline Instant instantNow()
+{
+    return std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
+}
 
 } // namespace odo

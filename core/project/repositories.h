@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/analysis/scoring.h"
 #include "core/project/records.h"
-#include "core/trajectory/sample_source.h"
-#include "core/trajectory/scoring.h"
-#include "core/video/recorded_times.h"
+#include "core/trajectory/imported_track.h"
+#include "core/video/frame_times.h"
 
 #include <filesystem>
 #include <map>
@@ -17,8 +17,9 @@ namespace odo {
 
 struct ProjectConnection; ///< the open database; private to core/project
 
-/// All repositories: plain synchronous calls on the project's thread. `find…` gives NotFound with a message that names
-/// what there is instead; `add` gives AlreadyExists for a name that is taken, and the stored record with its id.
+/// All repositories: plain synchronous calls on the project's thread. `find…` gives NotFound with a message
+/// that names what there is instead; `add` gives AlreadyExists for a name that is taken, and the stored
+/// record with its id.
 
 class CameraRepository
 {
@@ -33,7 +34,8 @@ public:
     /// Removes a camera that nothing refers to; fails for any other.
     Result<void> removeUnused(RecordId id);
     Result<IntrinsicsRecord> addIntrinsics(const IntrinsicsRecord &intrinsics);
-    /// The one in force: the newest, unless another was chosen since. nullopt when the camera was never calibrated.
+    /// The one in force: the newest, unless another was chosen since. nullopt when the camera was never
+    /// calibrated.
     Result<std::optional<IntrinsicsRecord>> currentIntrinsics(RecordId camera) const;
     /// Every calibration and import, the newest first.
     Result<std::vector<IntrinsicsRecord>> allIntrinsics(RecordId camera) const;
@@ -75,8 +77,8 @@ public:
     Result<std::vector<RobotRecord>> all() const;
     Result<RobotRecord> find(const std::string &name) const;
     Result<RobotRecord> get(RecordId id) const;
-    /// Gives the robot of that id another name, colour, drawing colour, height or size; what was measured before stays as it is. AlreadyExists for a
-    /// name that another robot has.
+    /// Gives the robot of that id another name, colour, drawing colour, height or size; what was measured
+    /// before stays as it is. AlreadyExists for a name that another robot has.
     Result<void> set(const RobotRecord &robot);
     /// InvalidInput where a trial has it. Teams lose it.
     Result<void> remove(RecordId robot);
@@ -92,8 +94,8 @@ public:
     Result<TeamRecord> add(const TeamRecord &team);
     Result<std::vector<TeamRecord>> all() const;
     Result<TeamRecord> find(const std::string &name) const;
-    /// Gives the team of that id another name, class (empty: none), pseudonym, other members or robots. AlreadyExists for a name that
-    /// another team has, NotFound for a robot that is not there.
+    /// Gives the team of that id another name, class (empty: none), pseudonym, other members or robots.
+    /// AlreadyExists for a name that another team has, NotFound for a robot that is not there.
     Result<void> set(const TeamRecord &team);
     /// InvalidInput where a trial is its.
     Result<void> remove(RecordId team);
@@ -110,8 +112,8 @@ struct TaskUse
     int trials = 0;   ///< that have it, those in the bin too
     int analyses = 0; ///< that were measured by it
 };
-/// Whether a task is kept for analyses alone, as it was before it was changed: no trial has it, and it has the name that
-/// TaskRepository::change gives.
+/// Whether a task is kept for analyses alone, as it was before it was changed: no trial has it, and it has
+/// the name that TaskRepository::change gives.
 bool isEarlierVersion(const TaskRecord &task, const TaskUse &use);
 
 class TaskRepository
@@ -130,9 +132,10 @@ public:
     Result<void> rename(RecordId task, const std::string &name);
     /// Out of the way, or back again; its trials stay as they are.
     Result<void> setArchived(RecordId task, bool archived);
-    /// Gives a task another course; name, archive and scoring stay. A task is not altered where it stands: a new one takes its name and its
-    /// trials over. Where analyses were measured by the one before, it is kept for them as "NAME (version 1)", so that they
-    /// stay true; else it goes. Gives the stored task, with another id unless nothing was to change.
+    /// Gives a task another course; name, archive and scoring stay. A task is not altered where it stands: a
+    /// new one takes its name and its trials over. Where analyses were measured by the one before, it is kept
+    /// for them as "NAME (version 1)", so that they stay true; else it goes. Gives the stored task, with
+    /// another id unless nothing was to change.
     Result<TaskRecord> change(const TaskRecord &task);
     /// InvalidInput where a trial has it or an analysis was measured by it.
     Result<void> remove(RecordId task);
@@ -154,7 +157,8 @@ public:
     explicit TrialRepository(ProjectConnection &connection);
     /// A task of a name that is new becomes one without gates, path and limits.
     Result<TrialRecord> add(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings);
-    /// As add, of a trial whose recording begins now: its files need not be there yet, and its frame times come later.
+    /// As add, of a trial whose recording begins now: its files need not be there yet, and its frame times
+    /// come later.
     Result<TrialRecord> begin(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings);
     /// More of a view's raw times, of a trial that is unfinished. They are kept for ever.
     Result<void> appendRawTimes(RecordId recording, const RecordedTimes &times);
@@ -162,8 +166,9 @@ public:
     Result<RecordedTimes> rawTimes(RecordId recording) const;
     /// How long it has been recorded by now.
     Result<void> setDuration(RecordId trial, double durationS);
-    /// Ends the recording: what is known now about the trial's sync and duration and about its recordings, by their ids.
-    /// Of a recording that is not among them nothing came; its row goes. InvalidInput for a trial that is finished.
+    /// Ends the recording: what is known now about the trial's sync and duration and about its recordings, by
+    /// their ids. Of a recording that is not among them nothing came; its row goes. InvalidInput for a trial
+    /// that is finished.
     Result<void> complete(const TrialRecord &trial, const std::vector<RecordingRecord> &recordings);
     /// Of trials that have ended, those whose file's hash has not been made yet; their frame times are left
     /// out.
@@ -172,8 +177,8 @@ public:
     /// Removes an unfinished trial: of one that was given up, or that no picture was recorded of.
     Result<void> removeUnfinished(RecordId trial);
     Result<std::vector<TrialRecord>> all() const; ///< newest first
-    /// The next of them, after the last one of the page before (nullptr: the first page): count, and those of the same moment as
-    /// the last. Empty at the end. For lists of thousands, which are read piece by piece.
+    /// The next of them, after the last one of the page before (nullptr: the first page): count, and those of
+    /// the same moment as the last. Empty at the end. For lists of thousands, which are read piece by piece.
     Result<std::vector<TrialRecord>> page(const TrialRecord *after, int count) const;
     Result<std::vector<TrialName>> names() const; ///< of all trials, newest first; cheap
     Result<TrialRecord> find(const std::string &name) const;
@@ -190,8 +195,9 @@ public:
     Result<void> setArchived(RecordId trial, bool archived);
     /// Into the bin, or out of it again.
     Result<void> setBinned(RecordId trial, bool binned);
-    /// Removes a trial that lies in the bin for good, with its recordings' rows, observations and analyses; gives the paths of its
-    /// recordings' files, which are for the caller to delete. It cannot be undone. InvalidInput outside of the bin.
+    /// Removes a trial that lies in the bin for good, with its recordings' rows, observations and analyses;
+    /// gives the paths of its recordings' files, which are for the caller to delete. It cannot be undone.
+    /// InvalidInput outside of the bin.
     Result<std::vector<std::string>> removeForGood(RecordId trial);
     /// How much the recordings of the trials in the bin take on the disk.
     Result<std::int64_t> binnedBytes() const;
@@ -213,15 +219,18 @@ public:
     Result<void> setOverrules(RecordId trial, RecordId robot, const std::vector<Overrule> &overrules);
     /// In order of the frames.
     Result<std::vector<Overrule>> overrules(RecordId trial, RecordId robot) const;
-    /// Where a person says that robots are in the pictures of a trial; replaces what was said before. At most one a robot and recording.
+    /// Where a person says that robots are in the pictures of a trial; replaces what was said before. At most
+    /// one a robot and recording.
     Result<void> setPointedOut(RecordId trial, const std::vector<PointedOutRobot> &robots);
     Result<std::vector<PointedOutRobot>> pointedOut(RecordId trial) const;
-    /// A track that was measured elsewhere; a newer one joins the older ones. InvalidInput for one without samples, of times that do not
-    /// rise, or with a position or covariance that is no number. samples: in place of those of the track.
+    /// A track that was measured elsewhere; a newer one joins the older ones. InvalidInput for one without
+    /// samples, of times that do not rise, or with a position or covariance that is no number. samples: in
+    /// place of those of the track.
     Result<void> addImportedTrack(const ImportedTrack &track, const SampleSource &samples = {});
     /// The newest one; nullopt where there is none: the robot was tracked in recordings.
     /// Without samples: where it came from, and how it was read.
-    Result<std::optional<ImportedTrack>> currentImportedTrack(RecordId trial, RecordId robot, bool withSamples = true) const;
+    Result<std::optional<ImportedTrack>> currentImportedTrack(RecordId trial, RecordId robot,
+                                                              bool withSamples = true) const;
     Result<void> setTruth(const TruthSeries &truth);
     Result<std::optional<TruthSeries>> truth(RecordId trial, RecordId robot) const;
 
@@ -237,8 +246,8 @@ struct ScoredFigures
     std::vector<Metric> metrics;
 };
 
-/// A trial whose task has a course (hasCourse) by which the newest analysis of a robot was not measured: it was by another, by the
-/// course as it was before, or by none.
+/// A trial whose task has a course (hasCourse) by which the newest analysis of a robot was not measured: it
+/// was by another, by the course as it was before, or by none.
 struct OtherwiseMeasured
 {
     RecordId trial = 0;
@@ -252,16 +261,19 @@ public:
     explicit AnalysisRepository(ProjectConnection &connection);
     /// samples: in place of those of the profile, one for each of its points.
     Result<AnalysisRecord> add(AnalysisRecord analysis, const SampleSource &samples = {});
-    /// The newest analysis of each robot of the trial, with all its series, and whether they are as they were stored.
+    /// The newest analysis of each robot of the trial, with all its series, and whether they are as they were
+    /// stored.
     Result<std::vector<AnalysisRecord>> current(RecordId trial) const;
     /// When it could not be told which robot an analysis is of, in order.
     Result<std::vector<DoubtfulName>> doubtfulNames(RecordId analysis) const;
     /// Metrics alone, for lists: the newest of each robot, cheap.
     Result<std::vector<AnalysisRecord>> currentMetrics(RecordId trial) const;
-    /// One metric of the newest analysis of each robot, of the trials from one moment to another (both belong to them), by its name.
+    /// One metric of the newest analysis of each robot, of the trials from one moment to another (both belong
+    /// to them), by its name.
     Result<std::vector<TrialFigure>> figures(const std::string &metric, Instant from, Instant to) const;
-    /// What runs of scored tasks are scored by, of the newest analysis of each robot, of the trials from one moment to another (both
-    /// belong to them): the metrics that the scoring names, and the counts of scoringMetrics().
+    /// What runs of scored tasks are scored by, of the newest analysis of each robot, of the trials from one
+    /// moment to another (both belong to them): the metrics that the scoring names, and the counts of
+    /// scoringMetrics().
     Result<std::vector<ScoredFigures>> scoredFigures(Instant from, Instant to) const;
     /// In order of their ids.
     Result<std::vector<OtherwiseMeasured>> trialsMeasuredOtherwise() const;

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/renderer.h"
 
-#include "core/simulation/exposure.h"
-#include "core/simulation/floor_painter.h"
-#include "core/simulation/polygon_layer.h"
-#include "core/simulation/random_hash.h"
-#include "core/simulation/sensor.h"
+#include "core/simulation/internal/exposure.h"
+#include "core/simulation/internal/floor_painter.h"
+#include "core/simulation/internal/polygon_layer.h"
+#include "core/simulation/internal/random_hash.h"
+#include "core/simulation/internal/sensor.h"
+#include "core/simulation/tag_pattern.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <numbers>
+#include <random>
 
 namespace odo {
+
 namespace {
 
 /// Room for the chroma filter on all sides, on even pixels.
@@ -131,6 +137,176 @@ Frame SceneRenderer::render(std::int64_t frame)
     const double gain =
         gainInExposure(model, timeS) * lightInExposure(d.scene.lights, model.exposureS, timeS);
     return FrameBuffer::toFrame(d.sensor.read(gain, picture), frame, frameStamp(d.scene, d.camera, frame));
+}
+
+Result<void> renderVideo(const SimulatedScene &scene, int camera, const OutputTarget &target,
+                         const VideoWriterOptions &options, const JobControl &control)
+{
+    const std::filesystem::path &file = target.file;
+    SceneRenderer renderer(scene, camera);
+    const std::int64_t count = renderer.frameCount();
+    if (count == 0)
+        return fail(ErrorCode::InvalidInput, "cannot render " + file.string(),
+                    "camera " + scene.cameras[static_cast<std::size_t>(camera)].name +
+                        " takes no frame while the scene lasts",
+                    "give the scene a longer duration or start the camera earlier");
+    std::unique_ptr<VideoWriter> writer;
+    for (std::int64_t i = 0; i < count; ++i) {
+        if (control.isCancelled())
+            return cancelled("rendering " + file.string());
+        const Frame frame = renderer.render(i);
+        if (!writer) {
+            auto created = VideoWriter::create(target, frame.format, options);
+            if (!created)
+                return tl::unexpected(created.error());
+            writer = std::move(*created);
+        }
+        if (auto written = writer->write(frame); !written)
+            return written;
+        control.report(static_cast<double>(i + 1) / static_cast<double>(count),
+                       "rendering " + file.filename().string());
+    }
+    return writer->finish();
+}
+
+namespace {
+
+const Rgb wall(118, 116, 112, 0), boardWhite(236, 236, 234, 0), boardBlack(24, 24, 26, 0);
+
+class BoardPainter
+{
+public:
+    BoardPainter(const CameraModel &camera, const SimulatedBoard &board)
+        : m_board(board), m_outline(camera, board.cameraFromBoard), m_picture(m_outline.pictureRect())
+    {
+    }
+
+    RgbPicture paint()
+    {
+        const PixelRect rect = m_picture.rect();
+        for (int y = rect.y0; y < rect.y1; ++y)
+            std::fill_n(m_picture.row(y), rect.width(), wall);
+        PolygonLayer paper(rect);
+        const double s = m_board.squareM;
+        // A rim of one square of white around the outermost squares.
+        addRectangle(paper, {-2 * s, -2 * s}, {(m_board.columns + 1) * s, (m_board.rows + 1) * s},
+                     boardWhite);
+        paper.paintOver(m_picture);
+
+        PolygonLayer ink(rect);
+        int marker = 0;
+        for (int row = 0; row <= m_board.rows; ++row) {
+            for (int column = 0; column <= m_board.columns; ++column) {
+                const Eigen::Vector2d corner((column - 1) * s, (row - 1) * s);
+                if ((row + column) % 2 == 0)
+                    addRectangle(ink, corner, corner + Eigen::Vector2d(s, s), boardBlack);
+                else if (m_board.charuco)
+                    addMarker(ink, corner, marker++);
+            }
+        }
+        ink.paintOver(m_picture);
+        return std::move(m_picture);
+    }
+
+private:
+    void addRectangle(PolygonLayer &layer, const Eigen::Vector2d &lower, const Eigen::Vector2d &upper,
+                      const Rgb &colour) const
+    {
+        const std::vector<Eigen::Vector3d> corners = {{lower.x(), lower.y(), 0},
+                                                      {upper.x(), lower.y(), 0},
+                                                      {upper.x(), upper.y(), 0},
+                                                      {lower.x(), upper.y(), 0}};
+        layer.add(m_outline.of(corners), colour);
+    }
+
+    void addMarker(PolygonLayer &ink, const Eigen::Vector2d &squareCorner, int id) const
+    {
+        const TagPattern pattern = arucoPattern(id);
+        const double side = m_board.squareM * m_board.markerRatio, cell = side / pattern.side;
+        const Eigen::Vector2d start = squareCorner + Eigen::Vector2d::Constant((m_board.squareM - side) / 2);
+        for (int row = 0; row < pattern.side; ++row)
+            for (int column = 0; column < pattern.side; ++column)
+                if (pattern.isBlack(column, row))
+                    addRectangle(ink, start + cell * Eigen::Vector2d(column, row),
+                                 start + cell * Eigen::Vector2d(column + 1, row + 1), boardBlack);
+    }
+
+    const SimulatedBoard &m_board;
+    const PictureOutline m_outline;
+    RgbPicture m_picture;
+};
+
+} // namespace
+
+Frame renderBoard(const CameraModel &camera, const SimulatedBoard &board, double noiseSigma,
+                  std::uint32_t seed)
+{
+    assert(board.columns > 0 && board.rows > 0 && board.squareM > 0 && noiseSigma >= 0);
+    assert(board.markerRatio > 0 && board.markerRatio < 1);
+    const RgbPicture picture = BoardPainter(camera, board).paint();
+    SensorModel model;
+    model.noiseSigma = noiseSigma;
+    Sensor sensor(model, picture.rect().width(), picture.rect().height(), seed);
+    sensor.take(picture);
+    return FrameBuffer::toFrame(sensor.read(1.0, 0), 0, Nanoseconds{0});
+}
+
+namespace {
+
+constexpr double borderPx = 8; // a corner nearer to the edge than this lacks its surroundings
+
+bool allCornersVisible(const CameraModel &camera, const SimulatedBoard &board,
+                       const RigidTransform &cameraFromBoard)
+{
+    // One square beyond the inner corners, so that the outer squares are in the picture as well.
+    for (const double column : {-1.0, double(board.columns)}) {
+        for (const double row : {-1.0, double(board.rows)}) {
+            const Eigen::Vector3d corner(column * board.squareM, row * board.squareM, 0);
+            const auto pixel = camera.project(cameraFromBoard * corner);
+            if (!pixel || pixel->x() < borderPx || pixel->y() < borderPx ||
+                pixel->x() > camera.intrinsics().widthPx - 1 - borderPx ||
+                pixel->y() > camera.intrinsics().heightPx - 1 - borderPx)
+                return false;
+        }
+    }
+    return true;
+}
+
+RigidTransform randomPose(const CameraModel &camera, const SimulatedBoard &board, std::mt19937 &random)
+{
+    const auto uniform = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    const Intrinsics &lens = camera.intrinsics();
+    const double boardWidthM = (board.columns + 1) * board.squareM;
+    const double share = uniform(0.3, 0.7); // of the picture's width
+    const double distanceM = lens.fxPx * boardWidthM / (share * lens.widthPx);
+    const Eigen::Vector2d target(uniform(0.2, 0.8) * lens.widthPx, uniform(0.2, 0.8) * lens.heightPx);
+    const double tilt = uniform(0.2, 0.7), towards = uniform(0, 2 * std::numbers::pi);
+    RigidTransform pose;
+    pose.rotation = Eigen::AngleAxisd(uniform(-0.3, 0.3), Eigen::Vector3d::UnitZ()) *
+                    Eigen::AngleAxisd(tilt, Eigen::Vector3d(std::cos(towards), std::sin(towards), 0));
+    const Eigen::Vector3d middle((board.columns - 1) * board.squareM / 2,
+                                 (board.rows - 1) * board.squareM / 2, 0);
+    const Eigen::Vector3d place((target.x() - lens.cxPx) / lens.fxPx * distanceM,
+                                (target.y() - lens.cyPx) / lens.fyPx * distanceM, distanceM);
+    pose.translation = place - pose.rotation * middle;
+    return pose;
+}
+
+} // namespace
+
+std::vector<RigidTransform> heldBoardPoses(const CameraModel &camera, const SimulatedBoard &board, int count,
+                                           std::uint32_t seed)
+{
+    std::mt19937 random(seed);
+    std::vector<RigidTransform> poses;
+    while (static_cast<int>(poses.size()) < count) {
+        const RigidTransform pose = randomPose(camera, board, random);
+        if (allCornersVisible(camera, board, pose))
+            poses.push_back(pose);
+    }
+    return poses;
 }
 
 } // namespace odo

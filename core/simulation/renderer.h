@@ -6,8 +6,10 @@
 #include "core/video/frame.h"
 #include "core/video/video_writer.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 namespace odo {
 
@@ -52,5 +54,10 @@ struct SimulatedBoard
 /// Noise of sigma noiseSigma (of 255), sampled as a camera does (4:2:0, Left, limited range).
 Frame renderBoard(const CameraModel &camera, const SimulatedBoard &board, double noiseSigma,
                   std::uint32_t seed);
+
+/// Poses (cameraFromBoard) as a careful person would hold a board: spread over the picture, near and far,
+/// tilted up to 40° to all sides, all corners in the picture. The same for a seed.
+std::vector<RigidTransform> heldBoardPoses(const CameraModel &camera, const SimulatedBoard &board, int count,
+                                           std::uint32_t seed);
 
 } // namespace odo

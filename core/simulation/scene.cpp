@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/scene.h"
 
-#include "core/simulation/random_hash.h"
+#include "core/simulation/internal/random_hash.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
 namespace odo {
+
 namespace {
 
 const SimulatedCamera &cameraOf(const SimulatedScene &scene, int camera)

@@ -4,15 +4,31 @@
 #include "core/base/units.h"
 #include "core/calibration/marker_layout.h"
 #include "core/geometry/floor_view.h"
-#include "core/simulation/motion.h"
-#include "core/simulation/robot_part.h"
+#include "core/simulation/internal/motion.h"
 #include "core/video/frame.h"
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace odo {
+
+/// Upright boxes and cylinders; wheels are cylinders that lie across the robot.
+enum class SimulatedShape { Box, Cylinder, Wheel, Sphere };
+
+/// A convex solid that a robot is made of. Robot's frame: x forward, y to the left, z up from the floor; the
+/// origin is the centre of the footprint's bounding rectangle. The parts of a robot share no volume.
+struct RobotPart
+{
+    SimulatedShape shape = SimulatedShape::Box;
+    RgbColour colour;
+    Eigen::Vector3d centreM = Eigen::Vector3d::Zero();
+    Eigen::Vector3d sizeM = Eigen::Vector3d::Zero(); ///< along x, y, z; of round ones the diameters are equal
+
+    Eigen::Vector3d lower() const { return centreM - sizeM / 2; }
+    Eigen::Vector3d upper() const { return centreM + sizeM / 2; }
+};
 
 struct SimulatedRobot
 {
@@ -21,7 +37,8 @@ struct SimulatedRobot
     SimulatedShape shape = SimulatedShape::Box;           ///< Box or Cylinder
     double lengthM = 0.26, widthM = 0.19, heightM = 0.06; ///< cylinder: length is the diameter
     std::shared_ptr<const Motion> motion;
-    std::vector<RobotPart> parts = {}; ///< what it is made of; empty: one solid of that shape, colour and size, which stands on the floor
+    /// what it is made of; empty: one solid of that shape, colour and size, which stands on the floor
+    std::vector<RobotPart> parts = {};
 };
 
 /// A flat patch on the floor of any colour: tape, or a distractor of the robot's own colour. Corners in
@@ -58,7 +75,8 @@ struct LightChange
     double startS = 0, durationS = 1e9;
 };
 
-/// A lamp over the floor: what stands in its light casts a shadow, which is the softer the larger the lamp is.
+/// A lamp over the floor: what stands in its light casts a shadow, which is the softer the larger the lamp
+/// is.
 struct Lamp
 {
     Eigen::Vector3d positionM{0, 0, 2.5};
@@ -66,21 +84,22 @@ struct Lamp
     double strength = 0.3; ///< share of the floor's light that comes from it
 };
 
-/// Light that comes to a part of the floor, or leaves it, slowly: the sun through a window, a cloud before it. It fades out to its edge; things
-/// that stand in it are not lit.
+/// Light that comes to a part of the floor, or leaves it, slowly: the sun through a window, a cloud before
+/// it. It fades out to its edge; things that stand in it are not lit.
 struct LocalLight
 {
     Eigen::Vector2d position{0, 0};
     double radiusM = 0.8;
-    double strength = 0.15; ///< added share of white where it is strongest; negative: of black
+    double strength = 0.15;       ///< added share of white where it is strongest; negative: of black
     double startS = 0, rampS = 4; ///< from nothing to all of it
 };
 
 /// What a simulated camera adds to the perfect picture.
 struct SensorModel
 {
-    double exposureS = 0.008;    ///< motion blur, averaged over sub-steps
-    double readoutS = 0;         ///< a rolling shutter's, from the first row to the last; the picture's time is that of its middle row
+    double exposureS = 0.008; ///< motion blur, averaged over sub-steps
+    /// a rolling shutter's, from the first row to the last; the picture's time is that of its middle row
+    double readoutS = 0;
     double noiseSigma = 2.0;     ///< of 255, luma; chroma the same before subsampling
     double flickerAmplitude = 0; ///< of light, 0.05 = ±5 %
     double flickerHz = 100;
@@ -103,8 +122,8 @@ struct SimulatedCamera
     double jitterS = 0;
 };
 
-/// What lies at a marker's place: a tag (numbered in the layout's order), a black ring with a hole of half its diameter,
-/// or a black disc.
+/// What lies at a marker's place: a tag (numbered in the layout's order), a black ring with a hole of half
+/// its diameter, or a black disc.
 enum class MarkerFigure { Tag, Ring, Dot };
 
 /// The floor: a texture of tiles and grain that is the same for a seed, with markers where a layout
@@ -118,7 +137,8 @@ struct SimulatedFloor
     double textureAmplitude = 0.06;                         ///< relative
     double tileM = 0.5;
     MarkerLayout markers;
-    double markerSideM = 0.16; ///< side of the tag's black square, outer diameter of a ring or disc; 0: none drawn
+    /// side of the tag's black square, outer diameter of a ring or disc; 0: none drawn
+    double markerSideM = 0.16;
     std::vector<FloorPatch> patches;
     double shadowStrength = 0.35; ///< of the soft shadow where a robot meets the floor; 0: none
     double gloss = 0;             ///< how strong the mirror images in it are; 1: a mirror

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/background.h"
 
-#include "core/tracking/light_gain.h"
+#include "core/tracking/light_meter.h"
 
 #include <algorithm>
 #include <array>
@@ -13,17 +13,18 @@ namespace odo {
 namespace {
 
 constexpr std::size_t mostFrames = 24, fewestFrames = 9; // the median of fewer would show the robot too often
-constexpr std::size_t mostChosen = 15; // of them, for the median
+constexpr std::size_t mostChosen = 15;                   // of them, for the median
 constexpr std::size_t mostBytes = 64'000'000;
-constexpr int motionLattice = 4;      // every so many samples of luma are compared
-constexpr int movedBy = 12;           // code values, beyond noise and coding
-constexpr int leastMoved = 8;         // samples of the lattice: some 11 x 11 pixels
-constexpr float sameLight = 1.05F;     // ratio of the lights of frames that may be compared as they are
-constexpr std::size_t block = 64;     // samples that are sorted side by side
+constexpr int motionLattice = 4;   // every so many samples of luma are compared
+constexpr int movedBy = 12;        // code values, beyond noise and coding
+constexpr int leastMoved = 8;      // samples of the lattice: some 11 x 11 pixels
+constexpr float sameLight = 1.05F; // ratio of the lights of frames that may be compared as they are
+constexpr std::size_t block = 64;  // samples that are sorted side by side
 
 std::size_t bytesOf(const Frame &frame)
 {
-    return std::size_t(frame.y.width) * std::size_t(frame.y.height) + 2 * std::size_t(frame.u.width) * std::size_t(frame.u.height);
+    return std::size_t(frame.y.width) * std::size_t(frame.y.height) +
+           2 * std::size_t(frame.u.width) * std::size_t(frame.u.height);
 }
 
 /// In memory of its own: that of a camera's or decoder's frames is wanted back soon.
@@ -54,8 +55,8 @@ void orderRows(std::uint8_t *__restrict lesser, std::uint8_t *__restrict greater
     }
 }
 
-/// Sorts each column of the first `count` rows, all columns at once: Batcher's odd-even merge sort for any count
-/// (Knuth, The Art of Computer Programming 3, 5.2.2, algorithm M).
+/// Sorts each column of the first `count` rows, all columns at once: Batcher's odd-even merge sort for any
+/// count (Knuth, The Art of Computer Programming 3, 5.2.2, algorithm M).
 void sortColumns(Samples &samples, std::size_t count)
 {
     std::size_t top = 1;
@@ -77,19 +78,23 @@ void sortColumns(Samples &samples, std::size_t count)
     }
 }
 
-/// For each distance of a quartile from the median the σ, in sigmaUnit: from the quarter of the samples next to the median on that side where no robot was
-/// seen; the nearer of two sides is the lesser one by chance.
+/// For each distance of a quartile from the median the σ, in sigmaUnit: from the quarter of the samples next
+/// to the median on that side where no robot was seen; the nearer of two sides is the lesser one by chance.
 std::array<std::uint8_t, 256> sigmasOfQuarters()
 {
     constexpr float sigmaPerQuarter = 1.75F;
     std::array<std::uint8_t, 256> sigmas{};
     for (std::size_t i = 0; i < sigmas.size(); ++i)
-        sigmas[i] = std::uint8_t(std::min(255.0F, std::max(Background::leastSigma, sigmaPerQuarter * float(i)) / Background::sigmaUnit + 0.5F));
+        sigmas[i] = std::uint8_t(std::min(
+            255.0F,
+            std::max(Background::leastSigma, sigmaPerQuarter * float(i)) / Background::sigmaUnit + 0.5F));
     return sigmas;
 }
 
-/// Medians, and σ from a quartile, of one plane. planes: that of each frame; gains: what brings each to the light of the first.
-Background::Plane medianOf(const std::vector<PlaneView> &planes, const std::vector<LightGain> &gains, bool isLuma)
+/// Medians, and σ from a quartile, of one plane. planes: that of each frame; gains: what brings each to the
+/// light of the first.
+Background::Plane medianOf(const std::vector<PlaneView> &planes, const std::vector<LightGain> &gains,
+                           bool isLuma)
 {
     Background::Plane result{planes.front().width, planes.front().height, {}, {}};
     const std::size_t count = planes.size();
@@ -116,7 +121,8 @@ Background::Plane medianOf(const std::vector<PlaneView> &planes, const std::vect
             sortColumns(samples, count);
             std::uint8_t *values = result.values.data() + std::ptrdiff_t(y) * result.width + x0;
             std::uint8_t *sigmas = result.sigmas.data() + std::ptrdiff_t(y) * result.width + x0;
-            const auto &median = samples[count / 2], &lower = samples[count / 4], &upper = samples[count - 1 - count / 4];
+            const auto &median = samples[count / 2], &lower = samples[count / 4],
+                       &upper = samples[count - 1 - count / 4];
             for (std::size_t x = 0; x < here; ++x) {
                 values[x] = median[x];
                 const int quarter = std::min(upper[x] - median[x], median[x] - lower[x]);
@@ -201,7 +207,28 @@ std::optional<Background> BackgroundLearner::learned() const
         v.push_back(frame.v);
         gains.push_back(LightGain::between(frame.y, frames.front().y, frame.format.fullRange));
     }
-    return Background{frames.front().format, medianOf(y, gains, true), medianOf(u, gains, false), medianOf(v, gains, false)};
+    return Background{frames.front().format, medianOf(y, gains, true), medianOf(u, gains, false),
+                      medianOf(v, gains, false)};
+}
+
+namespace {
+
+constexpr Nanoseconds interval = std::chrono::milliseconds(100); // of the frames that are looked at
+// moving frames from one learning to the next
+constexpr std::int64_t mostBetween = 50;
+
+} // namespace
+
+std::optional<Background> LiveBackground::add(const Frame &frame)
+{
+    if (m_lastLook != Nanoseconds::min() && frame.time - m_lastLook < interval)
+        return std::nullopt;
+    m_lastLook = frame.time;
+    m_learner.add(frame);
+    if (m_learner.movingFrames() < m_next)
+        return std::nullopt;
+    m_next += std::min(m_next / 2, mostBetween);
+    return m_learner.learned();
 }
 
 } // namespace odo

@@ -8,8 +8,8 @@
 
 namespace odo {
 
-/// What a camera that stands still sees of the place when no robot is there: of each sample of the three planes its value and
-/// how much it varies. Code values, as in the frames that it was learned from.
+/// What a camera that stands still sees of the place when no robot is there: of each sample of the three
+/// planes its value and how much it varies. Code values, as in the frames that it was learned from.
 struct Background
 {
     struct Plane
@@ -26,13 +26,15 @@ struct Background
 
     FrameFormat format;
     Plane y, u, v;
-    /// The least share of its luma above black that the floor keeps in a shadow. Lamps, sun and walls decide it; one view of the empty place does not show it.
+    /// The least share of its luma above black that the floor keeps in a shadow. Lamps, sun and walls decide
+    /// it; one view of the empty place does not show it.
     float darkestShadow = usualDarkestShadow;
 };
 
-/// Learns a background from the frames of one view, given in any number and in order: it keeps a few of them, spread over what
-/// moves rather than over time, so that a robot that stands for most of a recording is not taken for a part of the floor, and takes
-/// the median of each sample. Holds at most some 64 MB of frames. One thread at a time.
+/// Learns a background from the frames of one view, given in any number and in order: it keeps a few of them,
+/// spread over what moves rather than over time, so that a robot that stands for most of a recording is not
+/// taken for a part of the floor, and takes the median of each sample. Holds at most some 64 MB of frames.
+/// One thread at a time.
 class BackgroundLearner
 {
 public:
@@ -48,9 +50,24 @@ private:
 
     std::vector<Frame> m_kept; ///< in order
     std::optional<Frame> m_last;
-    std::size_t m_most = 0;      ///< frames to keep
-    std::int64_t m_every = 1;    ///< so many moving frames from one kept to the next
+    std::size_t m_most = 0;   ///< frames to keep
+    std::int64_t m_every = 1; ///< so many moving frames from one kept to the next
     std::int64_t m_moving = 0;
+};
+
+/// The background of a camera that is running: learned anew whenever about half as much again has moved
+/// before it. One thread at a time.
+class LiveBackground
+{
+public:
+    /// Every frame in order. A background where a newer one was learned.
+    std::optional<Background> add(const Frame &frame);
+
+private:
+    BackgroundLearner m_learner;
+    /// moving frames at which it is learned: after fewer the robot's first place is a part of it
+    std::int64_t m_next = 20;
+    Nanoseconds m_lastLook{Nanoseconds::min()};
 };
 
 } // namespace odo

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/colour_tracker.h"
 
-#include "core/tracking/duplicate_detector.h"
-#include "core/tracking/similar_robots.h"
+#include "core/tracking/internal/similar_robots.h"
+#include "core/tracking/internal/tracked_frame.h"
 
 #include <algorithm>
 #include <utility>

@@ -17,10 +17,12 @@ struct TrackTarget
 {
     std::string name;
     std::optional<RgbColour> colour; ///< none: of any look
-    bool wholeOutline = false; ///< measured by its silhouette; where it has a colour, that tells which silhouette is its own
+    /// measured by its silhouette; where it has a colour, that tells which silhouette is its own
+    bool wholeOutline = false;
 };
 
-/// Whether a colour was told that has chroma: black, grey and white have none, and robots of them are found as those of any look are.
+/// Whether a colour was told that has chroma: black, grey and white have none, and robots of them are found
+/// as those of any look are.
 bool isFoundByColour(const TrackTarget &target);
 
 /// Follows one or more coloured robots through the frames of one view, on the chroma planes as decoded.
@@ -30,8 +32,8 @@ bool isFoundByColour(const TrackTarget &target);
 class ColourTracker
 {
 public:
-    /// InvalidInput when there is no target, or one without a colour or of one without chroma (black, grey, white), of which
-    /// the chroma planes show nothing.
+    /// InvalidInput when there is no target, or one without a colour or of one without chroma (black, grey,
+    /// white), of which the chroma planes show nothing.
     static Result<std::unique_ptr<ColourTracker>> create(std::vector<TrackTarget> targets);
     ~ColourTracker();
     ColourTracker(const ColourTracker &) = delete;

@@ -30,16 +30,20 @@ struct Observation
     double areaPx = 0;
     double score = 0;           ///< 0 to 1: how well colour, size and shape agree with what is expected
     bool touchesBorder = false; ///< cut by the picture's edge: the centre is biased
-    /// Mean (Cb − 128, Cr − 128) of the region; zero where it was not measured. Tells robots of like colours apart
-    /// right after the tracking; it is not stored.
+    /// Mean (Cb − 128, Cr − 128) of the region; zero where it was not measured. Tells robots of like colours
+    /// apart right after the tracking; it is not stored.
     Eigen::Vector2d meanChroma = Eigen::Vector2d::Zero();
     /// Something thin that reaches out of it was left out: a cable, a mast. Not stored either.
     bool isTrimmed = false;
-    /// Share of its pixels that would be floor in shadow if shadows were darker than was assumed (Background::darkestShadow). Not stored.
+    /// Share of its pixels that would be floor in shadow if shadows were darker than was assumed
+    /// (Background::darkestShadow). Not stored.
     float deepShare = 0;
-    /// How far the outline's convex hull reaches from the centre in each direction of the picture (core/geometry/support.h), px; empty where
-    /// only its ellipse was measured.
+    /// How far the outline's convex hull reaches from the centre in each direction of the picture
+    /// (core/geometry/silhouette.h), px; empty where only its ellipse was measured.
     std::vector<float> supportPx = {};
 };
+
+/// The ellipse about a centre that has these second moments.
+Ellipse ellipseOf(const Eigen::Vector2d &centrePx, const Eigen::Matrix2d &covariance);
 
 } // namespace odo

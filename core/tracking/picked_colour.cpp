@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/picked_colour.h"
 
-#include "core/tracking/chroma_density.h"
+#include "core/tracking/internal/chroma_density.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,12 +11,12 @@ namespace odo {
 
 namespace {
 
-constexpr int leastSamples = 4;        // of the box, along each axis
+constexpr int leastSamples = 4;              // of the box, along each axis
 constexpr double leastPickedSaturation = 12; // code values of 128; the tracker needs 8 in the shade too
 constexpr double leastShareOfBox = 0.08;     // of the box
-constexpr double likeTheSame = 0.3;    // likeness to the commonest hue
-constexpr double clearlyCommoner = 3;  // inside than around
-constexpr int smoothings = 2;          // of the densities: noise spreads a colour over several bins
+constexpr double likeTheSame = 0.3;          // likeness to the commonest hue
+constexpr double clearlyCommoner = 3;        // inside than around
+constexpr int smoothings = 2;                // of the densities: noise spreads a colour over several bins
 
 constexpr auto what = "colour in the box";
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/robot_tracker.h"
 
-#include "core/tracking/duplicate_detector.h"
+#include "core/tracking/internal/tracked_frame.h"
 
 #include <algorithm>
 
@@ -21,8 +21,10 @@ bool needsBackground(const std::vector<TrackTarget> &targets)
     return std::ranges::any_of(targets, bySilhouette);
 }
 
-Result<std::unique_ptr<RobotTracker>> RobotTracker::create(const std::vector<TrackTarget> &targets, std::optional<Background> background,
-                                                           const std::optional<FloorView> &floor, std::size_t others)
+Result<std::unique_ptr<RobotTracker>> RobotTracker::create(const std::vector<TrackTarget> &targets,
+                                                           std::optional<Background> background,
+                                                           const std::optional<FloorView> &floor,
+                                                           std::size_t others)
 {
     std::unique_ptr<RobotTracker> tracker(new RobotTracker);
     tracker->m_floor = floor;
@@ -53,7 +55,8 @@ void RobotTracker::setBackground(Background background)
     if (m_bySilhouette)
         m_bySilhouette->setBackground(std::move(background));
     else if (!m_whole.empty())
-        m_bySilhouette = std::make_unique<SilhouetteTracker>(std::move(background), m_whole.size(), m_floor, m_besides);
+        m_bySilhouette =
+            std::make_unique<SilhouetteTracker>(std::move(background), m_whole.size(), m_floor, m_besides);
 }
 
 std::optional<PixelRect> RobotTracker::neededRegion(Nanoseconds time) const
@@ -72,7 +75,8 @@ std::vector<Observation> RobotTracker::track(const Frame &frame)
     for (std::size_t i = 0; i < m_coloured.size(); ++i) {
         const auto own = std::ranges::find(m_whole, m_coloured[i]);
         if (own != m_whole.end()) {
-            cues[std::size_t(own - m_whole.begin())] = {&coloured[i], chromaOf(*m_targets[*own].colour, frame.format)};
+            cues[std::size_t(own - m_whole.begin())] = {&coloured[i],
+                                                        chromaOf(*m_targets[*own].colour, frame.format)};
         } else {
             all[m_coloured[i]] = coloured[i];
             elsewhere.push_back(coloured[i]);
@@ -82,7 +86,8 @@ std::vector<Observation> RobotTracker::track(const Frame &frame)
         std::vector<Observation> whole = m_bySilhouette->track(frame, elsewhere, cues);
         for (std::size_t i = 0; i < m_whole.size(); ++i)
             all[m_whole[i]] = std::move(whole[i]);
-        m_seenBesides.assign(std::make_move_iterator(whole.begin() + std::ptrdiff_t(m_whole.size())), std::make_move_iterator(whole.end()));
+        m_seenBesides.assign(std::make_move_iterator(whole.begin() + std::ptrdiff_t(m_whole.size())),
+                             std::make_move_iterator(whole.end()));
     }
     return all;
 }

@@ -3,7 +3,7 @@
 
 #include "core/tracking/background.h"
 #include "core/tracking/colour_tracker.h"
-#include "core/tracking/silhouette_tracker.h"
+#include "core/tracking/internal/silhouette_tracker.h"
 
 #include <memory>
 #include <optional>
@@ -11,16 +11,20 @@
 
 namespace odo {
 
-/// Follows all robots of a project through the frames of one view: those of which a colour with chroma was told by it (ColourTracker), the others, and those of which
-/// the whole outline is wanted, by their silhouettes (SilhouetteTracker). Feed every frame in order. Not thread-safe; one tracker a view.
+/// Follows all robots of a project through the frames of one view: those of which a colour with chroma was
+/// told by it (ColourTracker), the others, and those of which the whole outline is wanted, by their
+/// silhouettes (SilhouetteTracker). Feed every frame in order. Not thread-safe; one tracker a view.
 class RobotTracker
 {
 public:
-    /// background: of the view, without the robots; needed for robots of any look, which are found in no frame without one. Errors: those of
-    /// ColourTracker. floor: of a registered view, before which what is too large for a robot is none. others: how many things besides the robots of any
-    /// look are followed, for one of them may be the robot.
-    static Result<std::unique_ptr<RobotTracker>> create(const std::vector<TrackTarget> &targets, std::optional<Background> background,
-                                                        const std::optional<FloorView> &floor = {}, std::size_t others = 0);
+    /// background: of the view, without the robots; needed for robots of any look, which are found in no
+    /// frame without one. Errors: those of ColourTracker. floor: of a registered view, before which what is
+    /// too large for a robot is none. others: how many things besides the robots of any look are followed,
+    /// for one of them may be the robot.
+    static Result<std::unique_ptr<RobotTracker>> create(const std::vector<TrackTarget> &targets,
+                                                        std::optional<Background> background,
+                                                        const std::optional<FloorView> &floor = {},
+                                                        std::size_t others = 0);
 
     /// A first or a newer background of the same place.
     void setBackground(Background background);
@@ -40,7 +44,7 @@ private:
     std::unique_ptr<ColourTracker> m_byColour;
     std::unique_ptr<SilhouetteTracker> m_bySilhouette;
     std::vector<std::size_t> m_coloured, m_whole; ///< targets; one whose whole outline is wanted may be both
-    std::size_t m_besides = 0; ///< other things to follow
+    std::size_t m_besides = 0;                    ///< other things to follow
     std::vector<Observation> m_seenBesides;
     std::vector<TrackTarget> m_targets;
     std::optional<FloorView> m_floor;

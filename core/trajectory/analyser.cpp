@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/analyser.h"
 
-#include "core/trajectory/coloured_part.h"
-#include "core/trajectory/contradiction.h"
-#include "core/trajectory/floor_positions.h"
-#include "core/trajectory/free_height.h"
-#include "core/trajectory/fused_track.h"
-#include "core/trajectory/outline_noise.h"
-#include "core/trajectory/overrules.h"
-#include "core/trajectory/plane_choice.h"
+#include "core/trajectory/internal/floor_positions.h"
+#include "core/trajectory/internal/fused_track.h"
+#include "core/trajectory/internal/height_estimation.h"
+#include "core/trajectory/internal/track_profile.h"
+#include "core/trajectory/internal/view_alignment.h"
+#include "core/trajectory/outline_doubt.h"
 #include "core/trajectory/solid_choice.h"
-#include "core/trajectory/track_profile.h"
-#include "core/trajectory/view_alignment.h"
 #include "core/trajectory/view_clock.h"
-#include "core/trajectory/view_interpolation.h"
+#include "core/trajectory/view_disagreement.h"
 
 #include <algorithm>
 #include <array>
@@ -69,8 +65,8 @@ Result<void> checkViews(const std::vector<ViewTrack> &views)
                         " not registered to the floor",
                     "run odograph register for at least one of them");
     if (views.front().observations.empty())
-        return fail(ErrorCode::Undetermined, cannotMeasurePath, "view " + views.front().view + " has no frame",
-                    "track the trial's videos first");
+        return fail(ErrorCode::Undetermined, cannotMeasurePath,
+                    "view " + views.front().view + " has no frame", "track the trial's videos first");
     std::size_t found = 0, foundRegistered = 0;
     for (const ViewTrack &view : views) {
         const auto count = static_cast<std::size_t>(
@@ -80,11 +76,11 @@ Result<void> checkViews(const std::vector<ViewTrack> &views)
         foundRegistered += view.floorView ? count : 0;
     }
     if (found == 0)
-        return fail(
-            ErrorCode::Undetermined, cannotMeasurePath,
-            "the robot was not found in any picture of " + joinNames(namesOf(views)),
-            "check that the robot moves in the pictures, that a colour that was told is the one it has there, and "
-            "that the light is sufficient");
+        return fail(ErrorCode::Undetermined, cannotMeasurePath,
+                    "the robot was not found in any picture of " + joinNames(namesOf(views)),
+                    "check that the robot moves in the pictures, that a colour that was told is the one it "
+                    "has there, and "
+                    "that the light is sufficient");
     if (foundRegistered == 0)
         return fail(ErrorCode::Undetermined, cannotMeasurePath,
                     "only cameras that are not registered to the floor saw the robot",
@@ -135,7 +131,8 @@ std::optional<PlacedRobot> placeSolid(const std::vector<ViewTrack> &views,
                                                   : std::vector<Sighting>(times.size()));
         solid->seen[v] = {};
     }
-    const double ofTop = told.heightM ? toldHeightSigmaM * middleHeightM(solid->shape) / solid->shape.topM : 0;
+    const double ofTop =
+        told.heightM ? toldHeightSigmaM * middleHeightM(solid->shape) / solid->shape.topM : 0;
     placed.planeSigmaM = std::hypot(ofTop, solid->sigmaMiddleM);
     placed.heightM = solid->shape.topM;
     placed.estimated = !told.heightM;
@@ -143,8 +140,8 @@ std::optional<PlacedRobot> placeSolid(const std::vector<ViewTrack> &views,
     return placed;
 }
 
-/// Whole silhouettes that no solid explains show now one part of the robot and now another (it looks like the floor, or like its shadow): the place in them is
-/// hardly better known than they are large.
+/// Whole silhouettes that no solid explains show now one part of the robot and now another (it looks like the
+/// floor, or like its shadow): the place in them is hardly better known than they are large.
 void doubtUnexplained(const std::vector<ViewTrack> &views, std::vector<std::vector<Sighting>> &sightings)
 {
     constexpr double shareOfRadius = 0.7;
@@ -160,15 +157,16 @@ void doubtUnexplained(const std::vector<ViewTrack> &views, std::vector<std::vect
         const double focalPx = views[v].floorView->camera().intrinsics().fxPx;
         for (Sighting &sighting : sightings[v]) {
             const Eigen::Vector2d &place = sighting.place.pointInWorld;
-            const double awayM = (camera - Eigen::Vector3d(place.x(), place.y(), 0)).norm(), doubtM = shareOfRadius * radiusPx * awayM / focalPx;
+            const double awayM = (camera - Eigen::Vector3d(place.x(), place.y(), 0)).norm(),
+                         doubtM = shareOfRadius * radiusPx * awayM / focalPx;
             sighting.place.calibrationCovariance += Eigen::Matrix2d::Identity() * doubtM * doubtM;
         }
     }
 }
 
 /// One height for the whole run: told, or estimated from the views, or (from one view alone) unknown.
-Result<PlacedRobot> placeAtOneHeight(const std::vector<ViewTrack> &views, const std::vector<Nanoseconds> &times,
-                                     const RobotShape &shape)
+Result<PlacedRobot> placeAtOneHeight(const std::vector<ViewTrack> &views,
+                                     const std::vector<Nanoseconds> &times, const RobotShape &shape)
 {
     const bool markTold = shape.heightM && isMarkAtTop(views, *shape.heightM);
     if (!markTold) {
@@ -181,8 +179,11 @@ Result<PlacedRobot> placeAtOneHeight(const std::vector<ViewTrack> &views, const 
                     "give it the reference point 0,0 and track again");
     const PlaneChoice plane = choosePlane(views, times, shape);
     const bool known = plane.heightM > 0;
-    PlacedRobot placed{known ? lookAtPlane(views, times, plane.planeM) : lookFromAllViews(views, times, 0), plane.sigmaM,
-                       plane.heightM, plane.estimated, {}};
+    PlacedRobot placed{known ? lookAtPlane(views, times, plane.planeM) : lookFromAllViews(views, times, 0),
+                       plane.sigmaM,
+                       plane.heightM,
+                       plane.estimated,
+                       {}};
     doubtUnexplained(views, placed.views);
     return placed;
 }
@@ -268,9 +269,10 @@ Result<MeasuredRobot> measure(const std::vector<ViewTrack> &views, const RobotSh
     FusionSettings settings;
     settings.planeSigmaM = placed->planeSigmaM;
     settings.measurement = estimateOutlineNoise(placed->views);
-    const std::vector<double> apartM = shape.heightVaries ? std::vector<double>() : settleContradictions(placed->views);
-    MeasuredRobot robot{fuseViews(times, frames, placed->views, settings), settings.measurement, placed->heightM,
-                        placed->estimated, placed->clearanceM};
+    const std::vector<double> apartM =
+        shape.heightVaries ? std::vector<double>() : settleContradictions(placed->views);
+    MeasuredRobot robot{fuseViews(times, frames, placed->views, settings), settings.measurement,
+                        placed->heightM, placed->estimated, placed->clearanceM};
     flagContradictions(robot.track, apartM);
     chooseByMotion(robot.track, settings, options.longestBridgedGap);
     alignSingleViews(robot.track, placed->views, views);
@@ -298,6 +300,36 @@ Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &s
     profile->clearanceM = robot->clearanceM;
     profile->meanViewDisagreementM = meanDisagreement(profile->samples);
     return profile;
+}
+
+void applyOverrules(std::vector<Sample> &samples, std::span<const Overrule> overrules)
+{
+    for (const Overrule &overrule : overrules) {
+        const auto sample = std::find_if(samples.begin(), samples.end(),
+                                         [&](const Sample &one) { return one.frame == overrule.frame; });
+        if (sample == samples.end() || !sample->position)
+            continue;
+        sample->flags |= flagBit(SampleFlag::ByHand);
+        if (overrule.isSpike)
+            sample->flags |= flagBit(SampleFlag::Jump);
+        else
+            sample->flags &= ~rejectingFlags;
+    }
+}
+
+std::vector<Overrule> withOverrule(std::vector<Overrule> overrules, Overrule added)
+{
+    overrules = withoutOverrule(std::move(overrules), added.frame);
+    const auto behind = std::find_if(overrules.begin(), overrules.end(),
+                                     [&](const Overrule &one) { return one.frame > added.frame; });
+    overrules.insert(behind, added);
+    return overrules;
+}
+
+std::vector<Overrule> withoutOverrule(std::vector<Overrule> overrules, std::int64_t frame)
+{
+    std::erase_if(overrules, [&](const Overrule &one) { return one.frame == frame; });
+    return overrules;
 }
 
 } // namespace odo

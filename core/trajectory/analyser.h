@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/analysis/profile.h"
+#include "core/analysis/task.h"
 #include "core/base/error.h"
 #include "core/geometry/floor_view.h"
 #include "core/tracking/observation.h"
-#include "core/trajectory/profile.h"
-#include "core/trajectory/task.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,8 @@ struct ViewTrack
         floorView;              ///< empty: the camera is not registered; its observations are left out
     Nanoseconds startOffset{0}; ///< how much later this view's first frame was taken than the first view's
     std::vector<Observation> observations; ///< in order of time
-    double clockRate = 0; ///< by how much its clock runs faster than the first view's (core/trajectory/view_clock.h)
+    /// by how much its clock runs faster than the first view's (core/trajectory/view_clock.h)
+    double clockRate = 0;
 };
 
 struct RobotShape
@@ -41,7 +43,8 @@ struct RobotShape
     std::optional<double> heightM;
     std::optional<double> lengthM, widthM;
     bool heightVaries = false; ///< on a ramp: triangulated in every frame; heightM is not looked at
-    Eigen::Vector2d referenceM = Eigen::Vector2d::Zero(); ///< forward and left from the footprint's centre: the point whose path is measured
+    /// forward and left from the footprint's centre: the point whose path is measured
+    Eigen::Vector2d referenceM = Eigen::Vector2d::Zero();
 };
 
 /// A person's word on one sample, over that of the analysis. The raw measurement is kept in either case.
@@ -58,7 +61,8 @@ struct AnalysisOptions
     double maxSpeedMps = 10; ///< physical limit, for flags
     double maxAccelMps2 = 50;
     Nanoseconds longestBridgedGap = std::chrono::milliseconds(1500);
-    std::vector<Overrule> overrules = {}; ///< at most one a frame; for frames that are not there without effect
+    /// at most one a frame; for frames that are not there without effect
+    std::vector<Overrule> overrules = {};
     std::optional<Task> task = {}; ///< its gates and path are measured (withTask)
 };
 
@@ -67,8 +71,20 @@ AnalysisOptions withTask(AnalysisOptions options, const Task &task);
 
 /// Observations of all views → samples → spikes → profile → metrics. Times of the samples are the first
 /// view's frame times; other views are interpolated to them. Pure and thread-safe. Errors: no view
-/// registered, robot never found, a reference point beside the centre of a robot whose outlines tell no heading.
+/// registered, robot never found, a reference point beside the centre of a robot whose outlines tell no
+/// heading.
 Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &shape,
                         const AnalysisOptions &options);
+
+/// Sets ByHand on the samples that a person has judged: with Jump where it is called a spike, without any
+/// flag that rejects where it is called valid. Samples without a position have nothing to judge and stay as
+/// they are. Whoever flags samples afterwards leaves those alone.
+void applyOverrules(std::vector<Sample> &samples, std::span<const Overrule> overrules);
+
+/// The list with one more word, in place of an older one on the same frame, in order of the frames.
+std::vector<Overrule> withOverrule(std::vector<Overrule> overrules, Overrule added);
+
+/// The list without any word on a frame.
+std::vector<Overrule> withoutOverrule(std::vector<Overrule> overrules, std::int64_t frame);
 
 } // namespace odo

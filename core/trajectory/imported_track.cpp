@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/imported_track.h"
 
-#include "core/base/upper_median.h"
-#include "core/trajectory/metrics.h"
-#include "core/trajectory/noise_level.h"
-#include "core/trajectory/overrules.h"
-#include "core/trajectory/profile_points.h"
-#include "core/trajectory/spike_flags.h"
-#include "core/trajectory/task_metrics.h"
-#include "core/trajectory/track_profile.h"
+#include "core/analysis/metrics.h"
+#include "core/analysis/task_metrics.h"
+#include "core/base/percentile.h"
+#include "core/trajectory/analyser.h"
+#include "core/trajectory/internal/spike_flags.h"
+#include "core/trajectory/internal/track_profile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +44,8 @@ std::size_t startOfStretch(std::size_t stretch, std::size_t count)
     return stretch * (count - learntLength) / (learntStretches - 1);
 }
 
-/// A part of a long track, with what is looked at on both sides of it: no smoother and no search reaches further.
+/// A part of a long track, with what is looked at on both sides of it: no smoother and no search reaches
+/// further.
 constexpr std::size_t partLength = 16'384, margin = 1024;
 
 const char *const chooseLonger = "choose a track with more positions";
@@ -74,15 +73,18 @@ std::vector<Sample> samplesOfImported(const std::vector<ImportedPosition> &track
 ImportedSeries::ImportedSeries(const std::vector<ImportedPosition> &track, double noiseM) : m_noiseM(noiseM)
 {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    const bool isStated = std::ranges::any_of(track, [](const ImportedPosition &one) { return one.sigmaM.has_value(); });
+    const bool isStated =
+        std::ranges::any_of(track, [](const ImportedPosition &one) { return one.sigmaM.has_value(); });
     m_times.reserve(track.size());
     m_places.reserve(track.size());
     m_sigmas.reserve(isStated ? track.size() : 0);
     for (const ImportedPosition &one : track) {
         m_times.push_back(one.time);
-        m_places.push_back(one.position ? std::array{one.position->x(), one.position->y()} : std::array{none, none});
+        m_places.push_back(one.position ? std::array{one.position->x(), one.position->y()}
+                                        : std::array{none, none});
         if (isStated)
-            m_sigmas.push_back(one.sigmaM ? std::array{one.sigmaM->x(), one.sigmaM->y()} : std::array{noiseM, noiseM});
+            m_sigmas.push_back(one.sigmaM ? std::array{one.sigmaM->x(), one.sigmaM->y()}
+                                          : std::array{noiseM, noiseM});
     }
 }
 
@@ -103,8 +105,8 @@ Sample ImportedSeries::sample(std::size_t i) const
 
 double estimateImportedNoiseM(const std::vector<ImportedPosition> &track, const JobControl &control)
 {
-    std::vector<ImportedPosition> part(track.begin(),
-                                       track.begin() + static_cast<std::ptrdiff_t>(std::min(noisePositions, track.size())));
+    std::vector<ImportedPosition> part(
+        track.begin(), track.begin() + static_cast<std::ptrdiff_t>(std::min(noisePositions, track.size())));
     for (ImportedPosition &one : part)
         one.sigmaM.reset();
     double noiseM = firstNoiseM;
@@ -112,7 +114,8 @@ double estimateImportedNoiseM(const std::vector<ImportedPosition> &track, const 
         std::vector<Sample> samples = samplesOfImported(part, noiseM);
         const SpikeVerdict verdict = flagSpikes(samples, optionsForImported({}, samples));
         const double estimated = noiseM * std::sqrt(verdict.noise.measurementScale);
-        noiseM = std::isfinite(estimated) ? std::clamp(estimated, leastImportedNoiseM, mostNoiseM) : firstNoiseM;
+        noiseM =
+            std::isfinite(estimated) ? std::clamp(estimated, leastImportedNoiseM, mostNoiseM) : firstNoiseM;
     }
     return noiseM;
 }
@@ -136,7 +139,8 @@ Result<AnalysisOptions> optionsForImported(AnalysisOptions options, const Sample
     std::vector<double> seconds;
     const bool isLong = raw.count > longestAtOnce;
     for (std::size_t stretch = 0; stretch < (isLong ? learntStretches : 1); ++stretch) {
-        const auto samples = isLong ? raw.chunk(startOfStretch(stretch, raw.count), learntLength) : raw.chunk(0, raw.count);
+        const auto samples =
+            isLong ? raw.chunk(startOfStretch(stretch, raw.count), learntLength) : raw.chunk(0, raw.count);
         if (!samples)
             return tl::unexpected(samples.error());
         addIntervals(*samples, seconds);
@@ -198,7 +202,8 @@ public:
         for (std::size_t begin = 0; begin < m_raw.count; begin += partLength) {
             if (m_control.isCancelled())
                 return cancelled(cannotMeasurePath);
-            m_control.report(double(begin) / double(m_raw.count), "analysing position " + std::to_string(begin));
+            m_control.report(double(begin) / double(m_raw.count),
+                             "analysing position " + std::to_string(begin));
             if (auto added = addPart(begin, std::min(begin + partLength, m_raw.count)); !added)
                 return tl::unexpected(added.error());
         }
@@ -241,8 +246,8 @@ private:
             m_profile.flags.push_back(track.samples[i].flags);
             m_used += isUsed(track.samples[i]);
         }
-        appendInstants(std::span(track.samples).subspan(begin - from, end - begin), std::span(m_profile.points).subspan(begin), m_commonSigmaM,
-                       m_instants);
+        appendInstants(std::span(track.samples).subspan(begin - from, end - begin),
+                       std::span(m_profile.points).subspan(begin), m_commonSigmaM, m_instants);
         return {};
     }
 
@@ -250,8 +255,8 @@ private:
     {
         if (m_used < 3 || m_instants.empty())
             return fail(ErrorCode::Undetermined, cannotMeasurePath,
-                        "not enough data: of " + std::to_string(m_raw.count) + " frames " + std::to_string(m_used) +
-                            " give a position that can be used",
+                        "not enough data: of " + std::to_string(m_raw.count) + " frames " +
+                            std::to_string(m_used) + " give a position that can be used",
                         chooseLonger);
         m_profile.metrics = measureRun(m_instants);
         m_instants = {};
@@ -288,7 +293,8 @@ private:
 
 } // namespace
 
-Result<Profile> analyseImported(const SampleSource &raw, const AnalysisOptions &options, const JobControl &control)
+Result<Profile> analyseImported(const SampleSource &raw, const AnalysisOptions &options,
+                                const JobControl &control)
 {
     if (raw.count > longestAtOnce)
         return PartedAnalysis(raw, options, control).run();
@@ -301,6 +307,21 @@ Result<Profile> analyseImported(const SampleSource &raw, const AnalysisOptions &
     Error error = profile.error();
     error.advice = chooseLonger;
     return tl::unexpected(error);
+}
+
+void NoiseLevel::add(const std::vector<Sample> &samples)
+{
+    for (const Sample &sample : samples) {
+        if (!sample.position)
+            continue;
+        m_variances += sample.covariance.trace();
+        m_count += 2;
+    }
+}
+
+double NoiseLevel::sigmaM() const
+{
+    return m_count > 0 ? std::sqrt(m_variances / m_count) : 0;
 }
 
 } // namespace odo

@@ -1,19 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/analysis/profile.h"
 #include "core/base/error.h"
 #include "core/base/job_control.h"
 #include "core/trajectory/analyser.h"
-#include "core/trajectory/sample_source.h"
 
 #include <array>
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
 namespace odo {
 
-/// A track that another program measured, as it was imported: positions in metres in the world frame, in order of time.
-/// Nothing here alters them: they are the raw measurement. All functions are pure and thread-safe.
+/// Samples of a series that may be too long to be held at once: so many of them, made or read in chunks from
+/// `first` on. An error that a chunk gives ends whatever asked for it.
+struct SampleSource
+{
+    std::size_t count = 0;
+    std::function<Result<std::vector<Sample>>(std::size_t first, std::size_t count)> chunk;
+};
+
+/// Those of a vector, which must outlive it.
+inline SampleSource sourceOf(const std::vector<Sample> &samples)
+{
+    return {samples.size(), [&samples](std::size_t first, std::size_t count) -> Result<std::vector<Sample>> {
+                const auto begin = samples.begin() + static_cast<std::ptrdiff_t>(first);
+                return std::vector<Sample>(begin, begin + static_cast<std::ptrdiff_t>(count));
+            }};
+}
+
+/// A track that another program measured, as it was imported: positions in metres in the world frame, in
+/// order of time. Nothing here alters them: they are the raw measurement. All functions are pure and
+/// thread-safe.
 
 /// One line of such a track.
 struct ImportedPosition
@@ -24,7 +44,8 @@ struct ImportedPosition
     std::optional<Pair> sigmaM;   ///< of x and y, where it is stated
 };
 
-/// The samples of such a track; Sample::frame is the line's index, no view is named. Positions without a stated σ get noiseM.
+/// The samples of such a track; Sample::frame is the line's index, no view is named. Positions without a
+/// stated σ get noiseM.
 std::vector<Sample> samplesOfImported(const std::vector<ImportedPosition> &track, double noiseM);
 
 /// The same, held in a sixth of the memory of the samples.
@@ -42,24 +63,38 @@ private:
     double m_noiseM;
 };
 
-/// How far the positions scatter from frame to frame, metres: what the motion noise's maximum likelihood leaves over for the
-/// measurement (estimateMotionNoise), spikes left out. At least leastImportedNoiseM.
+/// How far the positions scatter from frame to frame, metres: what the motion noise's maximum likelihood
+/// leaves over for the measurement (estimateMotionNoise), spikes left out. At least leastImportedNoiseM.
 double estimateImportedNoiseM(const std::vector<ImportedPosition> &track, const JobControl &control = {});
-constexpr double leastImportedNoiseM = 1e-4; ///< no camera measures finer, and numbers that were rounded look as if it did
+/// no camera measures finer, and numbers that were rounded look as if it did
+constexpr double leastImportedNoiseM = 1e-4;
 
 /// NoiseLevel of these samples.
 double noiseLevelM(const std::vector<Sample> &samples);
 
-/// Analyses imported samples as those of our own views are: spikes, profile, metrics. Gaps are bridged over four times the usual
-/// interval where that is longer than the options say, which gets into the options. Undetermined where fewer than
-/// three positions can be used.
+/// Analyses imported samples as those of our own views are: spikes, profile, metrics. Gaps are bridged over
+/// four times the usual interval where that is longer than the options say, which gets into the options.
+/// Undetermined where fewer than three positions can be used.
 Result<Profile> analyseImported(const std::vector<Sample> &raw, const AnalysisOptions &options);
-/// The same of samples that are not held: the profile has their flags in place of them. Longer tracks than longestAtOnce are analysed
-/// in parts that overlap, with the noise learnt from stretches all over the track. Asks for cancellation; reports progress.
-Result<Profile> analyseImported(const SampleSource &raw, const AnalysisOptions &options, const JobControl &control);
+/// The same of samples that are not held: the profile has their flags in place of them. Longer tracks than
+/// longestAtOnce are analysed in parts that overlap, with the noise learnt from stretches all over the track.
+/// Asks for cancellation; reports progress.
+Result<Profile> analyseImported(const SampleSource &raw, const AnalysisOptions &options,
+                                const JobControl &control);
 constexpr std::size_t longestAtOnce = 131'072;
 /// The options with which a track of these times is analysed.
 AnalysisOptions optionsForImported(AnalysisOptions options, const std::vector<Sample> &raw);
 Result<AnalysisOptions> optionsForImported(AnalysisOptions options, const SampleSource &raw);
+
+/// The root mean square σ of a coordinate of all samples that were added, metres; 0 without a position.
+class NoiseLevel
+{
+public:
+    void add(const std::vector<Sample> &samples);
+    double sigmaM() const;
+
+private:
+    double m_variances = 0, m_count = 0;
+};
 
 } // namespace odo

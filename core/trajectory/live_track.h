@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/trajectory/analyser.h"
-#include "core/trajectory/fused_track.h"
-#include "core/trajectory/kalman_smoother.h"
-#include "core/trajectory/plane_choice.h"
+#include "core/trajectory/internal/fused_track.h"
+#include "core/trajectory/internal/height_estimation.h"
+#include "core/trajectory/internal/kalman_smoother.h"
 
 #include <optional>
 #include <vector>
@@ -37,7 +37,7 @@ struct LivePosition
 ///
 /// The common time is the newest one that every view has reached; a view that lags by more than a fifth of a
 /// second, or two and a half intervals, has stalled and is waited for no longer. What the solid's form tells
-/// (core/trajectory/shape_estimation.h) is left to the analysis: beside it a live position of a body of 60 mm
+/// (core/trajectory/solid_choice.h) is left to the analysis: beside it a live position of a body of 60 mm
 /// differs by some millimetres. Not thread-safe.
 class LiveTrack
 {
@@ -73,6 +73,28 @@ private:
     MotionNoise m_noise;
     int m_refused = 0; ///< samples in a row that the filter did not take
     double m_travelM = 0;
+};
+
+/// Tells while a robot drives when it passes the gates of its task, by the same rule as the analysis
+/// (findPassages), with what is known a moment later. Not thread-safe.
+class LiveGates
+{
+public:
+    explicit LiveGates(std::vector<Gate> gates) : m_gates(std::move(gates)) {}
+
+    /// The passages that this position makes certain; positions come in order of time.
+    std::vector<GatePassage> add(const LivePosition &position);
+    /// All since the beginning, in order of time.
+    const std::vector<GatePassage> &passages() const { return m_passages; }
+    void forget();
+
+private:
+    bool isKnown(const GatePassage &passage) const;
+
+    std::vector<Gate> m_gates;
+    std::vector<Sample> m_samples;      ///< of the last seconds
+    std::vector<ProfilePoint> m_points; ///< the same
+    std::vector<GatePassage> m_passages;
 };
 
 } // namespace odo

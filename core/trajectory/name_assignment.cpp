@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/name_assignment.h"
 
-#include "core/base/upper_median.h"
+#include "core/base/percentile.h"
 #include "core/tracking/chroma.h"
-#include "core/trajectory/name_search.h"
+#include "core/trajectory/internal/name_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,7 +64,8 @@ void fillBetween(std::vector<int> &names)
 }
 
 /// What is seen for a moment apart from a tracklet may be anything, where anything is followed.
-void dropUnconnected(const std::vector<Observation> &observations, const std::vector<int> &sure, std::vector<int> &names)
+void dropUnconnected(const std::vector<Observation> &observations, const std::vector<int> &sure,
+                     std::vector<int> &names)
 {
     std::vector<bool> isConnected(names.size());
     const auto connect = [&](std::size_t i, std::size_t neighbour) {
@@ -85,7 +86,9 @@ std::vector<int> completed(const std::vector<int> &sure, const std::vector<int> 
 {
     std::vector<int> names = sure;
     std::vector<bool> taken(robots);
-    const auto isRobot = [robots](int name) { return name != noName && static_cast<std::size_t>(name) < robots; };
+    const auto isRobot = [robots](int name) {
+        return name != noName && static_cast<std::size_t>(name) < robots;
+    };
     const auto take = [&](std::size_t slot, int name) {
         names[slot] = name;
         taken[static_cast<std::size_t>(name)] = true;
@@ -136,7 +139,8 @@ std::int64_t rename(NamedView &view, const std::vector<std::size_t> &considered,
         }
         const std::vector<int> names = completed(sureHere, wishedHere, robots);
         for (std::size_t name = 0; name < robots; ++name) {
-            const auto slot = static_cast<std::size_t>(std::ranges::find(names, static_cast<int>(name)) - names.begin());
+            const auto slot =
+                static_cast<std::size_t>(std::ranges::find(names, static_cast<int>(name)) - names.begin());
             renamed += slot != name && slot < slots && seen[slot].found ? 1 : 0;
             view.robots[considered[name]][i] = slot < slots ? seen[slot] : unseenIn(seen.front());
         }
@@ -144,18 +148,20 @@ std::int64_t rename(NamedView &view, const std::vector<std::size_t> &considered,
     return renamed;
 }
 
-/// Where the names leave a view with much less of robots than the tracker took for them by itself, they are its own: a view that contradicts
-/// the others is not silently left out.
+/// Where the names leave a view with much less of robots than the tracker took for them by itself, they are
+/// its own: a view that contradicts the others is not silently left out.
 void keepContradicting(const NameEvidence &evidence, std::size_t robots, std::vector<std::size_t> &names)
 {
     constexpr double leastKept = 0.2;
-    if (std::ranges::any_of(evidence.tracklets, [](const TrackletOf &one) { return one.pointedOut.has_value(); }))
+    if (std::ranges::any_of(evidence.tracklets,
+                            [](const TrackletOf &one) { return one.pointedOut.has_value(); }))
         return; // what a person says may contradict it
     for (std::size_t v = 0; v < evidence.slots.size(); ++v) {
         double named = 0, followed = 0;
         for (std::size_t t = 0; t < names.size(); ++t) {
             const TrackletOf &one = evidence.tracklets[t];
-            const double weight = one.view == v ? one.likeness * double(one.tracklet.last - one.tracklet.first + 1) : 0;
+            const double weight =
+                one.view == v ? one.likeness * double(one.tracklet.last - one.tracklet.first + 1) : 0;
             named += names[t] < robots ? weight : 0;
             followed += one.slot < robots ? weight : 0;
         }
@@ -217,7 +223,8 @@ public:
         for (std::size_t t = 0; t < m_names.size(); ++t) {
             const TrackletOf &one = m_evidence.tracklets[t];
             if (m_names[t] < robots() && one.sizeM > 0)
-                seen[m_names[t]].insert(seen[m_names[t]].end(), one.tracklet.last - one.tracklet.first + 1, one.sizeM);
+                seen[m_names[t]].insert(seen[m_names[t]].end(), one.tracklet.last - one.tracklet.first + 1,
+                                        one.sizeM);
         }
         std::vector<double> sizes;
         for (std::vector<double> &its : seen)
@@ -284,11 +291,13 @@ std::optional<double> toldPlane(const std::vector<NamedRobot> &robots,
 }
 
 /// The times of doubtful links, joined where they overlap.
-std::vector<NameDoubt> doubtsOf(const FoundNames &found, const NameEvidence &evidence, const std::vector<std::size_t> &considered)
+std::vector<NameDoubt> doubtsOf(const FoundNames &found, const NameEvidence &evidence,
+                                const std::vector<std::size_t> &considered)
 {
     std::vector<NameDoubt> all;
     for (const DoubtfulLink &link : found.doubts) {
-        const double fromS = evidence.tracklets[link.before].tracklet.end.timeS, toS = evidence.tracklets[link.behind].tracklet.begin.timeS;
+        const double fromS = evidence.tracklets[link.before].tracklet.end.timeS,
+                     toS = evidence.tracklets[link.behind].tracklet.begin.timeS;
         const std::size_t name = found.names[link.behind];
         NameDoubt &doubt = all.emplace_back(NameDoubt{considered[name], fromS, std::max(fromS, toS)});
         if (link.otherName != name)
@@ -319,12 +328,14 @@ std::vector<std::vector<std::size_t>> robotsOfLikeColours(const std::vector<Name
     std::vector<std::vector<std::size_t>> groups;
     const auto areAlike = [&](std::size_t a, std::size_t b) {
         const auto hueA = toldHue(robots[a]), hueB = toldHue(robots[b]);
-        return hueA && hueB ? std::abs(hueDifference(*hueA, *hueB)) < confusableHueRad : hueA.has_value() == hueB.has_value();
+        return hueA && hueB ? std::abs(hueDifference(*hueA, *hueB)) < confusableHueRad
+                            : hueA.has_value() == hueB.has_value();
     };
     for (std::size_t robot = 0; robot < robots.size(); ++robot) {
         std::vector<std::size_t> group;
         std::erase_if(groups, [&](const std::vector<std::size_t> &earlier) {
-            const bool near = std::any_of(earlier.begin(), earlier.end(), [&](std::size_t other) { return areAlike(robot, other); });
+            const bool near = std::any_of(earlier.begin(), earlier.end(),
+                                          [&](std::size_t other) { return areAlike(robot, other); });
             if (near)
                 group.insert(group.end(), earlier.begin(), earlier.end());
             return near;
@@ -344,7 +355,8 @@ NameOutcome assignNames(std::vector<NamedView> &views, const std::vector<NamedRo
         if (considered.size() > mostConfusable)
             continue;
         const NameEvidence evidence = gatherEvidence(views, robots, considered);
-        outcome.nothingThere.insert(outcome.nothingThere.end(), evidence.nothingThere.begin(), evidence.nothingThere.end());
+        outcome.nothingThere.insert(outcome.nothingThere.end(), evidence.nothingThere.begin(),
+                                    evidence.nothingThere.end());
         if (evidence.tracklets.empty() || std::ranges::max(evidence.slots) < 2)
             continue;
         FoundNames found = decideNames(evidence, views.size(), toldPlane(robots, considered));

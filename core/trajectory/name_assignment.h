@@ -15,7 +15,7 @@ namespace odo {
 struct NamedRobot
 {
     std::optional<RgbColour> colour; ///< told
-    std::optional<double> heightM; ///< of its top; empty: estimated
+    std::optional<double> heightM;   ///< of its top; empty: estimated
 };
 
 /// Where a person says that a robot is in one frame of a view.
@@ -33,8 +33,9 @@ struct NamedView
     Nanoseconds startOffset{0};         ///< how much later its first frame was taken than the first view's
     std::vector<std::vector<Observation>>
         robots; ///< for each robot its observations; equally many, of equal frames
-    std::vector<std::vector<Observation>> others = {}; ///< likewise of what else was followed, which may be robots without a told colour
-    double clockRate = 0; ///< by how much its clock runs faster than the first view's
+    /// likewise of what else was followed, which may be robots without a told colour
+    std::vector<std::vector<Observation>> others = {};
+    double clockRate = 0;                    ///< by how much its clock runs faster than the first view's
     std::vector<PointedOut> pointedOut = {}; ///< robots without a told colour
 };
 
@@ -43,17 +44,20 @@ struct NameDoubt
 {
     std::size_t robot = 0;
     double fromS = 0, toS = 0; ///< of the first view's clock
-    std::vector<std::size_t> others = {}; ///< that it may be from then on, in order; empty where that is not known
+    /// that it may be from then on, in order; empty where that is not known
+    std::vector<std::size_t> others = {};
 };
 
 struct NameOutcome
 {
     std::int64_t renamed = 0;      ///< observations (found ones) that changed their robot
     std::vector<NameDoubt> doubts; ///< in order, those of a robot apart from one another
-    std::vector<std::pair<std::size_t, std::size_t>> nothingThere; ///< view and number of what was pointed out where nothing was followed
+    /// view and number of what was pointed out where nothing was followed
+    std::vector<std::pair<std::size_t, std::size_t>> nothingThere;
 };
 
-/// The robots in groups whose told colours might be taken for one another, and those without a colour; a robot of a colour of its own is a group.
+/// The robots in groups whose told colours might be taken for one another, and those without a colour; a
+/// robot of a colour of its own is a group.
 std::vector<std::vector<std::size_t>> robotsOfLikeColours(const std::vector<NamedRobot> &robots);
 
 /// Decides which robot is which, in all views at once, where colours alone may not have: robots that overlap
@@ -61,11 +65,11 @@ std::vector<std::vector<std::size_t>> robotsOfLikeColours(const std::vector<Name
 ///
 /// The tracker follows each view by itself, from frame to frame. Its observations are cut into tracklets
 /// wherever a robot was lost or was one with another in the picture (score below 0.2). Each tracklet then
-/// gets the name under which all of it is cheapest (or none, where a view followed more than the robots): the views agree on the floor, each name's motion goes on
-/// from tracklet to tracklet, and the tracklets' mean hues fit the told colours (but for a shift common to
-/// the view's robots). Solved by dynamic programming along time over the views' naming, kept to the best few
-/// hundred (exact for two or three robots). A second round knows the robots' height and their looks in each
-/// view from the first one.
+/// gets the name under which all of it is cheapest (or none, where a view followed more than the robots): the
+/// views agree on the floor, each name's motion goes on from tracklet to tracklet, and the tracklets' mean
+/// hues fit the told colours (but for a shift common to the view's robots). Solved by dynamic programming
+/// along time over the views' naming, kept to the best few hundred (exact for two or three robots). A second
+/// round knows the robots' height and their looks in each view from the first one.
 ///
 /// Only robots whose told hues are within 40° of each other are ever renamed, at most eight of them; of equal
 /// colours no one can say which is which, but the names stay the same throughout and in all views.
@@ -73,8 +77,8 @@ std::vector<std::vector<std::size_t>> robotsOfLikeColours(const std::vector<Name
 /// Made before the observations are stored: the share-out of observations among names is a decision of the
 /// tracking, needs the tracker's mean chroma, which is not kept, and all who read the project later must see
 /// the same names. Observations themselves are not changed, only moved between robots, all of a frame's
-/// staying in their frame. Where another way to name the tracklets explains them nearly as well, the time between the two
-/// that it would not join is doubtful. Pure and thread-safe.
+/// staying in their frame. Where another way to name the tracklets explains them nearly as well, the time
+/// between the two that it would not join is doubtful. Pure and thread-safe.
 NameOutcome assignNames(std::vector<NamedView> &views, const std::vector<NamedRobot> &robots);
 
 } // namespace odo

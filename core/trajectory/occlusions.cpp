@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/occlusions.h"
 
-#include "core/base/upper_median.h"
+#include "core/base/percentile.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <optional>
 
@@ -13,7 +14,8 @@ namespace odo {
 
 namespace {
 
-constexpr Nanoseconds longestPause = std::chrono::milliseconds(200), shortestOcclusion = std::chrono::milliseconds(100);
+constexpr Nanoseconds longestPause = std::chrono::milliseconds(200),
+                      shortestOcclusion = std::chrono::milliseconds(100);
 constexpr double touchingRadii = 1.2; // of the sum of two robots' radii: outlines nearer than that may be one
 
 /// What one sample says. other: the robot's number where the cause names one.
@@ -25,7 +27,8 @@ struct OcclusionLabel
 
 bool isUnexplained(OcclusionCause cause)
 {
-    return cause == OcclusionCause::NotVisible || cause == OcclusionCause::PartlyVisible || cause == OcclusionCause::OutlineTooLarge;
+    return cause == OcclusionCause::NotVisible || cause == OcclusionCause::PartlyVisible ||
+           cause == OcclusionCause::OutlineTooLarge;
 }
 
 /// Samples with like labels, one after the other.
@@ -38,29 +41,36 @@ struct OcclusionRun
 
     bool isOf(const OcclusionLabel &label) const
     {
-        return other == label.other && isUnexplained == odo::isUnexplained(label.cause) && isCut == (label.cause == OcclusionCause::CutByEdge);
+        return other == label.other && isUnexplained == odo::isUnexplained(label.cause) &&
+               isCut == (label.cause == OcclusionCause::CutByEdge);
     }
-    /// The first of the causes that occurs says most; of outlines too small and too large, the one that occurs more often.
+    /// The first of the causes that occurs says most; of outlines too small and too large, the one that
+    /// occurs more often.
     OcclusionCause cause() const
     {
         const auto countOf = [this](OcclusionCause cause) { return counts[static_cast<std::size_t>(cause)]; };
         if (isUnexplained && countOf(OcclusionCause::NotVisible) == 0)
-            return countOf(OcclusionCause::OutlineTooLarge) > countOf(OcclusionCause::PartlyVisible) ? OcclusionCause::OutlineTooLarge : OcclusionCause::PartlyVisible;
-        return static_cast<OcclusionCause>(std::ranges::find_if(counts, [](int count) { return count > 0; }) - counts.begin());
+            return countOf(OcclusionCause::OutlineTooLarge) > countOf(OcclusionCause::PartlyVisible)
+                       ? OcclusionCause::OutlineTooLarge
+                       : OcclusionCause::PartlyVisible;
+        return static_cast<OcclusionCause>(std::ranges::find_if(counts, [](int count) { return count > 0; }) -
+                                           counts.begin());
     }
 };
 
 /// Whether it is known where it was at each sample.
 bool isWatched(const OcclusionRobot &robot)
 {
-    return robot.profile && !robot.profile->samples.empty() && robot.profile->samples.size() == robot.profile->points.size();
+    return robot.profile && !robot.profile->samples.empty() &&
+           robot.profile->samples.size() == robot.profile->points.size();
 }
 
 /// All robots as one view sees them.
 class WatchedView
 {
 public:
-    WatchedView(const OcclusionView &view, std::size_t number, std::span<const OcclusionRobot> robots) : m_view(view), m_number(number), m_robots(robots)
+    WatchedView(const OcclusionView &view, std::size_t number, std::span<const OcclusionRobot> robots)
+        : m_view(view), m_number(number), m_robots(robots)
     {
         for (std::size_t r = 0; r < robots.size(); ++r)
             m_radiiM.push_back(usualRadiusM(r));
@@ -76,7 +86,11 @@ public:
                 continue;
             const Nanoseconds time = profile.samples[i].time;
             if (runs.empty() || !runs.back().isOf(*label) || time - runs.back().span.end > longestPause)
-                runs.push_back({{time, time}, {}, label->other, isUnexplained(label->cause), label->cause == OcclusionCause::CutByEdge});
+                runs.push_back({{time, time},
+                                {},
+                                label->other,
+                                isUnexplained(label->cause),
+                                label->cause == OcclusionCause::CutByEdge});
             runs.back().span.end = time;
             ++runs.back().counts[static_cast<std::size_t>(label->cause)];
         }
@@ -95,18 +109,21 @@ private:
 
     std::optional<Place> placeOf(std::size_t robot, const ProfilePoint &point) const
     {
-        const Eigen::Vector3d middle(point.position.x(), point.position.y(), silhouettePlaneM(m_robots[robot].profile->heightM));
+        const Eigen::Vector3d middle(point.position.x(), point.position.y(),
+                                     silhouettePlaneM(m_robots[robot].profile->heightM));
         const auto pixel = point.valid ? m_view.floorView->pixelFromWorld(middle) : std::nullopt;
         if (!pixel)
             return std::nullopt;
         const double distanceM = (middle - m_view.floorView->cameraInWorld()).norm();
-        return Place{*pixel, robot < m_radiiM.size() ? m_radiiM[robot] * focalPx() / distanceM : 0, distanceM};
+        return Place{*pixel, robot < m_radiiM.size() ? m_radiiM[robot] * focalPx() / distanceM : 0,
+                     distanceM};
     }
 
     /// What it was looked for in; one entry a frame, found or not.
     std::span<const Observation> observationsOf(std::size_t robot) const
     {
-        return m_number < m_robots[robot].observations.size() ? m_robots[robot].observations[m_number] : std::span<const Observation>();
+        return m_number < m_robots[robot].observations.size() ? m_robots[robot].observations[m_number]
+                                                              : std::span<const Observation>();
     }
 
     /// A view that began later or ended earlier hid nothing then.
@@ -125,10 +142,14 @@ private:
         auto at = std::ranges::lower_bound(all, own, {}, &Observation::time);
         if (at == all.end() || (at != all.begin() && own - (at - 1)->time < at->time - own))
             at = at == all.begin() ? at : at - 1;
-        return at != all.end() && at->found && std::chrono::abs(at->time - own) < shortestOcclusion ? &*at : nullptr;
+        return at != all.end() && at->found && std::chrono::abs(at->time - own) < shortestOcclusion ? &*at
+                                                                                                    : nullptr;
     }
 
-    static double radiusOf(const Observation &observation) { return std::sqrt(observation.areaPx / std::numbers::pi); }
+    static double radiusOf(const Observation &observation)
+    {
+        return std::sqrt(observation.areaPx / std::numbers::pi);
+    }
 
     double usualRadiusM(std::size_t robot) const
     {
@@ -147,7 +168,8 @@ private:
     double insidePx(const Eigen::Vector2d &pixel) const
     {
         const Intrinsics &frame = m_view.floorView->camera().intrinsics();
-        return std::min({pixel.x(), pixel.y(), frame.widthPx - 1 - pixel.x(), frame.heightPx - 1 - pixel.y()});
+        return std::min(
+            {pixel.x(), pixel.y(), frame.widthPx - 1 - pixel.x(), frame.heightPx - 1 - pixel.y()});
     }
 
     /// nullopt: the view measured all of it, or has nothing to do with it.
@@ -156,9 +178,12 @@ private:
         const Profile &profile = *m_robots[robot].profile;
         const Sample &sample = profile.samples[i];
         const Observation *seen = observationAt(robot, sample.time);
-        const bool isMeasured = (sample.views >> m_number & 1) != 0 && !hasFlag(sample.flags, SampleFlag::LowScore);
-        const bool isElsewhere = seen && hasFlag(sample.flags, SampleFlag::ViewsDisagree); // its reason says so
-        if (isMeasured || isElsewhere || !isRecordedAt(robot, sample.time) || hasFlag(sample.flags, SampleFlag::DuplicateFrame))
+        const bool isMeasured =
+            (sample.views >> m_number & 1) != 0 && !hasFlag(sample.flags, SampleFlag::LowScore);
+        // its reason says so
+        const bool isElsewhere = seen && hasFlag(sample.flags, SampleFlag::ViewsDisagree);
+        if (isMeasured || isElsewhere || !isRecordedAt(robot, sample.time) ||
+            hasFlag(sample.flags, SampleFlag::DuplicateFrame))
             return std::nullopt;
         const auto place = placeOf(robot, profile.points[i]);
         if (!place || insidePx(place->pixel) < 0)
@@ -169,22 +194,30 @@ private:
             return label;
         if (!seen)
             return OcclusionLabel{OcclusionCause::NotVisible, {}};
-        return OcclusionLabel{radiusOf(*seen) < place->radiusPx ? OcclusionCause::PartlyVisible : OcclusionCause::OutlineTooLarge, {}};
+        return OcclusionLabel{radiusOf(*seen) < place->radiusPx ? OcclusionCause::PartlyVisible
+                                                                : OcclusionCause::OutlineTooLarge,
+                              {}};
     }
 
     /// By the nearest robot whose outline can meet this one's.
-    std::optional<OcclusionLabel> labelByOther(std::size_t robot, Nanoseconds time, const Place &place, const Observation *seen) const
+    std::optional<OcclusionLabel> labelByOther(std::size_t robot, Nanoseconds time, const Place &place,
+                                               const Observation *seen) const
     {
         std::optional<OcclusionLabel> label;
         double nearest = touchingRadii;
         for (std::size_t other = 0; other < m_robots.size(); ++other) {
             const auto its = other == robot ? std::nullopt : placeAt(other, time);
-            const double radii = its ? (its->pixel - place.pixel).norm() / (its->radiusPx + place.radiusPx) : nearest;
+            const double radii =
+                its ? (its->pixel - place.pixel).norm() / (its->radiusPx + place.radiusPx) : nearest;
             if (!(radii < nearest))
                 continue;
             nearest = radii;
-            const bool isBehind = its->distanceM < place.distanceM && (its->pixel - place.pixel).norm() < std::max(its->radiusPx, place.radiusPx);
-            label = OcclusionLabel{!isBehind ? OcclusionCause::OneOutline : seen ? OcclusionCause::PartlyHiddenBehind : OcclusionCause::HiddenBehind, other};
+            const bool isBehind = its->distanceM < place.distanceM &&
+                                  (its->pixel - place.pixel).norm() < std::max(its->radiusPx, place.radiusPx);
+            label = OcclusionLabel{!isBehind ? OcclusionCause::OneOutline
+                                   : seen    ? OcclusionCause::PartlyHiddenBehind
+                                             : OcclusionCause::HiddenBehind,
+                                   other};
         }
         return label;
     }
@@ -195,7 +228,9 @@ private:
             return std::nullopt;
         const Profile &profile = *m_robots[robot].profile;
         const auto at = std::ranges::lower_bound(profile.samples, time, {}, &Sample::time);
-        return at == profile.samples.end() ? std::nullopt : placeOf(robot, profile.points[static_cast<std::size_t>(at - profile.samples.begin())]);
+        return at == profile.samples.end()
+                   ? std::nullopt
+                   : placeOf(robot, profile.points[static_cast<std::size_t>(at - profile.samples.begin())]);
     }
 
     const OcclusionView &m_view;
@@ -204,19 +239,22 @@ private:
     std::vector<double> m_radiiM; ///< of a disc with the usual outline's area
 };
 
-/// Where an outline grows or shrinks just before or after it is hidden behind a robot or cut, it is the same event.
+/// Where an outline grows or shrinks just before or after it is hidden behind a robot or cut, it is the same
+/// event.
 std::vector<OcclusionRun> joinedEvents(const std::vector<OcclusionRun> &runs)
 {
     std::vector<OcclusionRun> events;
     for (const OcclusionRun &run : runs) {
         const bool follows = !events.empty() && run.span.begin - events.back().span.end <= longestPause;
-        if (!follows || (!run.isUnexplained && !events.back().isUnexplained && (run.other != events.back().other || run.isCut != events.back().isCut))) {
+        if (!follows || (!run.isUnexplained && !events.back().isUnexplained &&
+                         (run.other != events.back().other || run.isCut != events.back().isCut))) {
             events.push_back(run);
             continue;
         }
         OcclusionRun &event = events.back();
         const OcclusionRun &named = event.isUnexplained ? run : event;
-        OcclusionRun both{{event.span.begin, run.span.end}, named.counts, named.other, named.isUnexplained, named.isCut};
+        OcclusionRun both{
+            {event.span.begin, run.span.end}, named.counts, named.other, named.isUnexplained, named.isCut};
         if (event.isUnexplained == run.isUnexplained)
             std::ranges::transform(event.counts, run.counts, both.counts.begin(), std::plus());
         event = both;
@@ -228,7 +266,9 @@ std::vector<OcclusionRun> joinedEvents(const std::vector<OcclusionRun> &runs)
 
 std::string_view occlusionCauseName(OcclusionCause cause)
 {
-    static constexpr std::array<std::string_view, 7> names{"hidden_behind", "partly_hidden_behind", "one_outline", "cut_by_edge", "not_visible", "partly_visible", "outline_too_large"};
+    static constexpr std::array<std::string_view, 7> names{
+        "hidden_behind", "partly_hidden_behind", "one_outline",      "cut_by_edge",
+        "not_visible",   "partly_visible",       "outline_too_large"};
     return names[static_cast<std::size_t>(cause)];
 }
 
@@ -256,7 +296,8 @@ std::string occlusionWords(const Occlusion &occlusion)
 
 std::string occlusionSentence(const Occlusion &occlusion)
 {
-    return occlusionWords(occlusion) + " (" + secondsText(toSeconds(occlusion.span.begin)) + " to " + secondsText(toSeconds(occlusion.span.end)) + ")";
+    return occlusionWords(occlusion) + " (" + secondsText(toSeconds(occlusion.span.begin)) + " to " +
+           secondsText(toSeconds(occlusion.span.end)) + ")";
 }
 
 std::string reasonAmong(const std::vector<Occlusion> &occlusions, const Spike &spike)
@@ -269,7 +310,8 @@ std::string reasonAmong(const std::vector<Occlusion> &occlusions, const Spike &s
     return reason;
 }
 
-std::vector<std::vector<Occlusion>> findOcclusions(std::span<const OcclusionView> views, std::span<const OcclusionRobot> robots)
+std::vector<std::vector<Occlusion>> findOcclusions(std::span<const OcclusionView> views,
+                                                   std::span<const OcclusionRobot> robots)
 {
     std::vector<std::vector<Occlusion>> all(robots.size());
     for (std::size_t v = 0; v < views.size(); ++v) {
@@ -277,15 +319,69 @@ std::vector<std::vector<Occlusion>> findOcclusions(std::span<const OcclusionView
             continue;
         const WatchedView watched(views[v], v, robots);
         for (std::size_t r = 0; r < robots.size(); ++r) {
-            for (const OcclusionRun &run : isWatched(robots[r]) ? joinedEvents(watched.runsOf(r)) : std::vector<OcclusionRun>()) {
+            for (const OcclusionRun &run :
+                 isWatched(robots[r]) ? joinedEvents(watched.runsOf(r)) : std::vector<OcclusionRun>()) {
                 if (run.span.end - run.span.begin >= shortestOcclusion)
-                    all[r].push_back({run.span, run.cause(), views[v].name, run.other ? robots[*run.other].name : std::string()});
+                    all[r].push_back({run.span, run.cause(), views[v].name,
+                                      run.other ? robots[*run.other].name : std::string()});
             }
         }
     }
     for (auto &its : all)
         std::ranges::stable_sort(its, {}, [](const Occlusion &one) { return one.span.begin; });
     return all;
+}
+
+namespace {
+
+constexpr Nanoseconds longestAtEnd = std::chrono::milliseconds(500);
+
+/// Rejected spikes in between do not show where it is; but mostly spikes is another matter than not seen.
+bool mostlyUnseen(const std::vector<Sample> &samples, std::size_t begin, std::size_t end)
+{
+    std::size_t unseen = 0;
+    for (std::size_t i = begin; i < end; ++i)
+        unseen += !samples[i].position;
+    return 2 * unseen > end - begin;
+}
+
+std::string sentence(const Sample &left, const Sample *back)
+{
+    char text[256];
+    std::snprintf(text, sizeof text, " (it was at X %.2f m, Y %.2f m); ", left.position->x(),
+                  left.position->y());
+    char when[96];
+    if (back)
+        std::snprintf(when, sizeof when, "no view sees it from %.1f s to %.1f s", toSeconds(left.time),
+                      toSeconds(back->time));
+    else
+        std::snprintf(when, sizeof when, "no view sees it after %.1f s", toSeconds(left.time));
+    return std::string(when) + text +
+           "move or add a camera so that the whole task is seen; the figures are of the part that was seen";
+}
+
+} // namespace
+
+std::vector<std::string> describeUnseenStretches(const Profile &profile, Nanoseconds longestBridgedGap)
+{
+    const std::vector<Sample> &samples = profile.samples;
+    std::vector<std::string> sentences;
+    const Sample *last = nullptr;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (!isUsed(samples[i]))
+            continue;
+        const Sample &next = samples[i];
+        const auto since = last ? static_cast<std::size_t>(last - samples.data()) + 1 : i;
+        if (last && next.time - last->time > longestBridgedGap && mostlyUnseen(samples, since, i))
+            sentences.push_back(sentence(*last, &next));
+        last = &next;
+    }
+    if (!last)
+        return sentences;
+    const auto since = static_cast<std::size_t>(last - samples.data()) + 1;
+    if (samples.back().time - last->time > longestAtEnd && mostlyUnseen(samples, since, samples.size()))
+        sentences.push_back(sentence(*last, nullptr));
+    return sentences;
 }
 
 } // namespace odo

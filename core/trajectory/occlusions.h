@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/time_span.h"
+#include "core/analysis/profile.h"
+#include "core/base/units.h"
 #include "core/geometry/floor_view.h"
 #include "core/tracking/observation.h"
-#include "core/trajectory/profile.h"
 #include "core/trajectory/view_clock.h"
 
 #include <span>
@@ -24,14 +24,15 @@ enum class OcclusionCause {
     PartlyVisible,      ///< its outline was smaller than usual
     OutlineTooLarge     ///< its outline was larger than usual: something touched it, or its shape changed
 };
-/// "hidden_behind", "partly_hidden_behind", "one_outline", "cut_by_edge", "not_visible", "partly_visible", "outline_too_large".
+/// "hidden_behind", "partly_hidden_behind", "one_outline", "cut_by_edge", "not_visible", "partly_visible",
+/// "outline_too_large".
 std::string_view occlusionCauseName(OcclusionCause cause);
 
-/// A stretch of a trial in which one view did not measure the whole of a robot. Its position then comes from the other views, or from its motion
-/// before and after: σ is larger, and nothing is a spike.
+/// A stretch of a trial in which one view did not measure the whole of a robot. Its position then comes from
+/// the other views, or from its motion before and after: σ is larger, and nothing is a spike.
 struct Occlusion
 {
-    TimeSpan span;     ///< since the first view's first frame
+    TimeSpan span; ///< since the first view's first frame
     OcclusionCause cause = OcclusionCause::NotVisible;
     std::string view;  ///< the camera's name
     std::string other; ///< the other robot's name; empty where none is known
@@ -40,7 +41,8 @@ struct Occlusion
 std::string occlusionWords(const Occlusion &occlusion);
 /// "hidden behind Blue 1 in view A (3.20 s to 3.90 s)".
 std::string occlusionSentence(const Occlusion &occlusion);
-/// A spike's reason with what happened then, from the robot's occlusions: "jump of 84 mm; hidden behind Blue 1 in view A".
+/// A spike's reason with what happened then, from the robot's occlusions: "jump of 84 mm; hidden behind Blue
+/// 1 in view A".
 std::string reasonAmong(const std::vector<Occlusion> &occlusions, const Spike &spike);
 
 /// A view of a trial. floorView: nullptr where the camera is not registered.
@@ -51,7 +53,8 @@ struct OcclusionView
     ViewClock clock;
 };
 
-/// A robot of a trial. profile: nullptr where it was not analysed. observations: one list a view, in order of frames.
+/// A robot of a trial. profile: nullptr where it was not analysed. observations: one list a view, in order of
+/// frames.
 struct OcclusionRobot
 {
     std::string name;
@@ -59,8 +62,16 @@ struct OcclusionRobot
     std::vector<std::span<const Observation>> observations;
 };
 
-/// Of each robot, in order of time, those that last for 0.1 s or longer. They follow from the observations and the positions; nothing is found where a
-/// position is not known at all, or lies outside a view's frame. Pure.
-std::vector<std::vector<Occlusion>> findOcclusions(std::span<const OcclusionView> views, std::span<const OcclusionRobot> robots);
+/// Of each robot, in order of time, those that last for 0.1 s or longer. They follow from the observations
+/// and the positions; nothing is found where a position is not known at all, or lies outside a view's frame.
+/// Pure.
+std::vector<std::vector<Occlusion>> findOcclusions(std::span<const OcclusionView> views,
+                                                   std::span<const OcclusionRobot> robots);
+
+/// A sentence for every stretch, after the robot was first seen, in which no view saw it for so long that the
+/// profile has nothing there: between sightings longer than a gap that is bridged, or over half a second at
+/// the end. It says when and where the robot left and what to do. Without subject, to be put behind
+/// "robot R: ".
+std::vector<std::string> describeUnseenStretches(const Profile &profile, Nanoseconds longestBridgedGap);
 
 } // namespace odo

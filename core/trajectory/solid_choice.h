@@ -3,7 +3,7 @@
 
 #include "core/geometry/silhouette.h"
 #include "core/trajectory/analyser.h"
-#include "core/trajectory/floor_positions.h"
+#include "core/trajectory/internal/floor_positions.h"
 
 #include <optional>
 #include <vector>
@@ -18,15 +18,40 @@ struct FoundSolid
     std::vector<std::vector<Sighting>> seen; ///< of each observation of each view
 };
 
-/// The simplest solid that explains the outlines of all views: a box or a cylinder (estimateShape), or, where outlines were measured by their support, one of several levels
-/// (fitLevels), with what they tell beyond that (learnReach). nullopt: none explains them. Pure.
+/// The simplest solid that explains the outlines of all views: a box or a cylinder (estimateShape), or, where
+/// outlines were measured by their support, one of several levels (fitLevels), with what they tell beyond
+/// that (learnReach). nullopt: none explains them. Pure.
 std::optional<FoundSolid> findSolid(const std::vector<ViewTrack> &views, const RobotShape &told);
 
-/// How badly the best solid of several levels explains the outlines of all views, in units of half a pixel; nullopt: they were not measured by their support, or too few of
-/// them show all of a robot. Pure.
+/// How badly the best solid of several levels explains the outlines of all views, in units of half a pixel;
+/// nullopt: they were not measured by their support, or too few of them show all of a robot. Pure.
 std::optional<double> misfitOfOutlines(const std::vector<ViewTrack> &views, const RobotShape &told);
 
-/// The share of the outlines, but for those that the picture's edge cuts, that are the solid's; 0 where no solid was found, 1 for a mark on top of a robot of a told height.
+/// The share of the outlines, but for those that the picture's edge cuts, that are the solid's; 0 where no
+/// solid was found, 1 for a mark on top of a robot of a told height.
 double explainedShare(const std::vector<ViewTrack> &views, const RobotShape &told);
+
+struct ShapeEstimate
+{
+    SolidShape shape;
+    double sigmaTopM = 0;    ///< of the top's height
+    double sigmaMiddleM = 0; ///< of the height of its middle: the unknown clearance below it is in it
+    bool heightEstimated = false;
+    double misfit =
+        0; ///< how well the outlines agree with the solid's, in units of their doubt: about 1 is good
+};
+
+/// Which solid the outlines of all views are silhouettes of: a box or a cylinder, standing on the floor, or
+/// only a plate at the robot's top, or what lies between. One that stands on the floor may do so on wheels:
+/// its clearance is estimated where the outlines show it clearly, and doubted otherwise. What was told of its
+/// height and size is kept; the rest is estimated, together with a pose for each of some forty times spread
+/// over the run, by weighted least squares of the outlines' centroids, areas and second moments over all
+/// views (Ceres, Cauchy's loss against outlines that are hidden in part). The views' disagreement about the
+/// place tells the height, the outlines' forms tell height and size. σ takes the errors of the outlines as
+/// shared by all frames of a quarter of the run. nullopt: fewer than five clear outlines. Pure. Beyond this
+/// misfit no such solid explains the outlines.
+constexpr double worstShapeMisfit = 4;
+
+std::optional<ShapeEstimate> estimateShape(const std::vector<ViewTrack> &views, const RobotShape &told);
 
 } // namespace odo

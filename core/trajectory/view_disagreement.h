@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/error.h"
 #include "core/trajectory/analyser.h"
+#include "core/trajectory/internal/floor_positions.h"
+#include "core/trajectory/internal/fused_track.h"
 
 #include <vector>
 
@@ -34,5 +37,29 @@ struct ViewDisagreement
 /// too much. stepSigmaS: of the views' step, seconds; 0: not known. Pure, any thread.
 ViewDisagreement disagreementOf(const Profile &profile, const std::vector<ViewTrack> &views,
                                 double stepSigmaS);
+
+/// Finds where views put a robot at different places for longer than a false sighting lasts, by more than
+/// their covariances allow for: a camera was moved after it was registered, the views are out of step, a
+/// height that was told is wrong. A view that two others contradict which agree is left out: it is no longer
+/// seen. Otherwise the covariances of the views that contradict one another are widened until they agree, by
+/// their calibrations' part: to half the median over two seconds of χ²(2) times what they were (Birge 1932:
+/// the ratio by which errors that were stated too small are widened), and by Student's factor besides, for
+/// what lasts is known of one draw. Views that lie apart by more than farApartM see different things, and are
+/// left as they are. views: sightings of each view at the same times, on the plane used. Gives of each time
+/// how far the views are apart, metres; 0 where they don't contradict one another. Pure.
+std::vector<double> settleContradictions(std::vector<std::vector<Sighting>> &views);
+/// Sets ViewsDisagree where they contradict one another, and how far they are apart.
+void flagContradictions(FusedTrack &track, const std::vector<double> &apartM);
+/// What the views contradict one another by in the samples that several of them saw.
+struct ViewsApart
+{
+    std::size_t seen = 0, used = 0; ///< samples that several views saw, and those of them that are used
+    std::vector<double> apartM;     ///< of those that are flagged ViewsDisagree
+};
+ViewsApart viewsApart(const std::vector<Sample> &samples);
+/// An Error where hardly a sample is used because the views contradict one another.
+Result<void> checkAgreement(const std::vector<Sample> &samples);
+
+inline constexpr double farApartM = 0.2; ///< beyond it no camera was moved: the views see different things
 
 } // namespace odo

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/frame.h"
 
+#include <mutex>
+#include <vector>
+
 namespace odo {
 
 Result<Frame> wholeFrame(const Frame &frame)
@@ -17,8 +20,8 @@ Result<Frame> wholeFrame(const Frame &frame)
 
 bool sameLayout(const FrameFormat &a, const FrameFormat &b)
 {
-    return a.width == b.width && a.height == b.height && a.chromaShiftX == b.chromaShiftX && a.chromaShiftY == b.chromaShiftY &&
-           a.matrix == b.matrix && a.fullRange == b.fullRange;
+    return a.width == b.width && a.height == b.height && a.chromaShiftX == b.chromaShiftX &&
+           a.chromaShiftY == b.chromaShiftY && a.matrix == b.matrix && a.fullRange == b.fullRange;
 }
 
 double FrameFormat::chromaOffsetX() const
@@ -56,6 +59,35 @@ Frame FrameBuffer::toFrame(std::shared_ptr<FrameBuffer> buffer, std::int64_t ind
     frame.time = time;
     frame.owner = std::move(buffer);
     return frame;
+}
+
+struct PlanePool::Shelf
+{
+    explicit Shelf(std::size_t size) : bytes(size) {}
+    const std::size_t bytes;
+    std::mutex mutex;
+    std::vector<std::unique_ptr<std::uint8_t[]>> free; ///< never more than were in use at once
+};
+
+PlanePool::PlanePool(std::size_t bytes) : m_shelf(std::make_shared<Shelf>(bytes)) {}
+
+std::shared_ptr<std::uint8_t[]> PlanePool::take()
+{
+    std::unique_ptr<std::uint8_t[]> memory;
+    {
+        const std::lock_guard lock(m_shelf->mutex);
+        if (!m_shelf->free.empty()) {
+            memory = std::move(m_shelf->free.back());
+            m_shelf->free.pop_back();
+        }
+    }
+    if (!memory)
+        memory = std::make_unique<std::uint8_t[]>(m_shelf->bytes);
+    return {memory.release(), [shelf = m_shelf](std::uint8_t *back) {
+                std::unique_ptr<std::uint8_t[]> returned(back);
+                const std::lock_guard lock(shelf->mutex);
+                shelf->free.push_back(std::move(returned));
+            }};
 }
 
 } // namespace odo

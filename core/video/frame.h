@@ -3,8 +3,8 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
-#include "core/video/pixel_rect.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -12,6 +12,39 @@
 #include <vector>
 
 namespace odo {
+
+/// Whole luma pixels from (x0, y0) up to, not including, (x1, y1).
+struct PixelRect
+{
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+
+    int width() const { return x1 - x0; }
+    int height() const { return y1 - y0; }
+    bool isEmpty() const { return x1 <= x0 || y1 <= y0; }
+    bool meets(const PixelRect &other) const
+    {
+        return x0 < other.x1 && other.x0 < x1 && y0 < other.y1 && other.y0 < y1;
+    }
+    bool contains(const PixelRect &other) const
+    {
+        return x0 <= other.x0 && other.x1 <= x1 && y0 <= other.y0 && other.y1 <= y1;
+    }
+    /// The smallest rectangle that holds both; an empty one adds nothing.
+    PixelRect united(const PixelRect &other) const
+    {
+        if (isEmpty())
+            return other;
+        if (other.isEmpty())
+            return *this;
+        return {std::min(x0, other.x0), std::min(y0, other.y0), std::max(x1, other.x1),
+                std::max(y1, other.y1)};
+    }
+    PixelRect clipped(const PixelRect &other) const
+    {
+        return {std::max(x0, other.x0), std::max(y0, other.y0), std::min(x1, other.x1),
+                std::min(y1, other.y1)};
+    }
+};
 
 /// Where a chroma sample lies among the luma samples it covers (H.273 §8.7). Left: MPEG-2 and H.264's
 /// default; Center: MPEG-1 and JPEG; TopLeft: HEVC and DV.
@@ -95,6 +128,21 @@ private:
     FrameFormat m_format;
     int m_chromaWidth, m_chromaHeight;
     std::vector<std::uint8_t> m_y, m_u, m_v;
+};
+
+/// Memory for the planes of frames, used again once the last share in it is gone: memory fresh from the
+/// system costs a page fault every 4096 bytes, a tenth of what decoding a JPEG picture does. Any thread; what
+/// was taken may outlive the pool.
+class PlanePool
+{
+public:
+    explicit PlanePool(std::size_t bytes);
+    /// So many bytes as told to the constructor; what is in them is of no meaning.
+    std::shared_ptr<std::uint8_t[]> take();
+
+private:
+    struct Shelf;
+    std::shared_ptr<Shelf> m_shelf;
 };
 
 } // namespace odo

@@ -94,7 +94,8 @@ FrameStream::FrameStream(std::unique_ptr<VideoReader> reader, std::size_t ahead)
 
 FrameStream::~FrameStream() = default;
 
-Result<std::unique_ptr<FrameStream>> FrameStream::open(const std::filesystem::path &file, std::size_t ahead, const CancelToken &cancel)
+Result<std::unique_ptr<FrameStream>> FrameStream::open(const std::filesystem::path &file, std::size_t ahead,
+                                                       const CancelToken &cancel)
 {
     auto reader = VideoReader::open(file, cancel);
     if (!reader)

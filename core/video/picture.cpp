@@ -11,8 +11,8 @@ namespace odo {
 
 namespace {
 
-/// Every n-th sample of sides that are longer than libyuv's places of 16.16 bits can count. No file is read with such sides, but
-/// nothing keeps a camera from having them.
+/// Every n-th sample of sides that are longer than libyuv's places of 16.16 bits can count. No file is read
+/// with such sides, but nothing keeps a camera from having them.
 PlaneView thinned(const PlaneView &plane, std::vector<std::uint8_t> &samples)
 {
     constexpr int longestSide = 32767;
@@ -83,16 +83,17 @@ ScreenPicture toScreen(const Frame &frame, int width, int height)
     return picture;
 }
 
-Frame fromScreen(const std::uint32_t *pixels, int width, int height, std::ptrdiff_t strideBytes, Nanoseconds time)
+Frame fromScreen(const std::uint32_t *pixels, int width, int height, std::ptrdiff_t strideBytes,
+                 Nanoseconds time)
 {
     FrameFormat format;
     format.width = width;
     format.height = height;
     format.siting = ChromaSiting::Center; // libyuv takes the mean of four pixels
     auto buffer = std::make_shared<FrameBuffer>(format);
-    libyuv::ARGBToI420(reinterpret_cast<const std::uint8_t *>(pixels), static_cast<int>(strideBytes), buffer->yRow(0),
-                       width, buffer->uRow(0), buffer->chromaWidth(), buffer->vRow(0), buffer->chromaWidth(), width,
-                       height);
+    libyuv::ARGBToI420(reinterpret_cast<const std::uint8_t *>(pixels), static_cast<int>(strideBytes),
+                       buffer->yRow(0), width, buffer->uRow(0), buffer->chromaWidth(), buffer->vRow(0),
+                       buffer->chromaWidth(), width, height);
     return FrameBuffer::toFrame(std::move(buffer), 0, time);
 }
 

@@ -19,8 +19,9 @@ struct ScreenPicture
 /// picture for a size of 0 or less. Any thread.
 ScreenPicture toScreen(const Frame &frame, int width, int height);
 
-/// The way back, for what was painted to be encoded: pixels as in ScreenPicture, rows `strideBytes` apart, to 4:2:0 at limited
-/// range by BT.601, chroma centred. Width and height are even. Any thread.
-Frame fromScreen(const std::uint32_t *pixels, int width, int height, std::ptrdiff_t strideBytes, Nanoseconds time);
+/// The way back, for what was painted to be encoded: pixels as in ScreenPicture, rows `strideBytes` apart, to
+/// 4:2:0 at limited range by BT.601, chroma centred. Width and height are even. Any thread.
+Frame fromScreen(const std::uint32_t *pixels, int width, int height, std::ptrdiff_t strideBytes,
+                 Nanoseconds time);
 
 } // namespace odo

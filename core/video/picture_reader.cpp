@@ -2,23 +2,22 @@
 #include "core/video/picture_reader.h"
 
 #include "core/base/file_system.h"
-#include "core/files/protected_files.h"
 #include "core/base/shortage.h"
-#include "core/video/jpeg_decoder.h"
-#include "core/video/jpeg_file.h"
-#include "core/video/picture_header.h"
-#include "core/video/stream_format.h"
+#include "core/files/protected_files.h"
+#include "core/video/internal/stream_format.h"
+#include "core/video/jpeg.h"
 
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <iterator>
+#include <span>
+#include <string_view>
 extern "C" {
 #include <libavutil/intreadwrite.h>
 #include <libavutil/pixdesc.h>
 #include <libswscale/swscale.h>
 }
-
-#include <algorithm>
-#include <fstream>
-#include <span>
-#include <string_view>
 
 namespace odo {
 
@@ -108,15 +107,19 @@ libav::FramePtr withRgbPixels(const AVFrame &picture, int firstRow, int rows)
     rgb->width = picture.width;
     rgb->height = rows;
     const std::unique_ptr<SwsContext, void (*)(SwsContext *)> scaler(
-        sws_getContext(picture.width, rows, static_cast<AVPixelFormat>(picture.format), rgb->width, rows, AV_PIX_FMT_RGB24,
-                       SWS_BILINEAR | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT, nullptr, nullptr, nullptr),
+        sws_getContext(picture.width, rows, static_cast<AVPixelFormat>(picture.format), rgb->width, rows,
+                       AV_PIX_FMT_RGB24, SWS_BILINEAR | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT, nullptr,
+                       nullptr, nullptr),
         &sws_freeContext);
     const std::uint8_t *planes[AV_NUM_DATA_POINTERS] = {};
-    const bool hasPalette = (av_pix_fmt_desc_get(static_cast<AVPixelFormat>(picture.format))->flags & AV_PIX_FMT_FLAG_PAL) != 0;
+    const bool hasPalette =
+        (av_pix_fmt_desc_get(static_cast<AVPixelFormat>(picture.format))->flags & AV_PIX_FMT_FLAG_PAL) != 0;
     for (int i = 0; i < AV_NUM_DATA_POINTERS && picture.data[i]; ++i)
-        planes[i] = picture.data[i] + (hasPalette && i == 1 ? 0 : std::ptrdiff_t(firstRow) * picture.linesize[i]);
+        planes[i] =
+            picture.data[i] + (hasPalette && i == 1 ? 0 : std::ptrdiff_t(firstRow) * picture.linesize[i]);
     const bool isDone = scaler && libav::checked(av_frame_get_buffer(rgb.get(), 0)) == 0 &&
-                        libav::checked(sws_scale(scaler.get(), planes, picture.linesize, 0, rows, rgb->data, rgb->linesize)) == rows;
+                        libav::checked(sws_scale(scaler.get(), planes, picture.linesize, 0, rows, rgb->data,
+                                                 rgb->linesize)) == rows;
     return isDone ? std::move(rgb) : nullptr;
 }
 
@@ -153,7 +156,8 @@ std::optional<Frame> fromLibav(libav::FramePtr picture)
     const AVPixFmtDescriptor *pixels = av_pix_fmt_desc_get(static_cast<AVPixelFormat>(picture->format));
     if (!pixels)
         return std::nullopt;
-    constexpr int band = 256; // rows at a time, where none takes chroma of another; a multiple of eight, as dithering is
+    // rows at a time, where none takes chroma of another; a multiple of eight, as dithering is
+    constexpr int band = 256;
     const int mostRows = pixels->log2_chroma_h == 0 ? band : format.height;
     auto buffer = std::make_shared<FrameBuffer>(format);
     for (int first = 0; first < format.height; first += mostRows) {
@@ -162,8 +166,8 @@ std::optional<Frame> fromLibav(libav::FramePtr picture)
         if (!rgb)
             return std::nullopt;
         for (int y = first; y < first + rows; ++y)
-            convertRow(rgb->data[0] + std::ptrdiff_t(y - first) * rgb->linesize[0], format.width, buffer->yRow(y),
-                       buffer->uRow(y), buffer->vRow(y));
+            convertRow(rgb->data[0] + std::ptrdiff_t(y - first) * rgb->linesize[0], format.width,
+                       buffer->yRow(y), buffer->uRow(y), buffer->vRow(y));
     }
     return FrameBuffer::toFrame(std::move(buffer), 0, Nanoseconds(0));
 }
@@ -222,10 +226,12 @@ Result<Frame> readPictureChecked(const std::filesystem::path &file)
     if (!header)
         return fail(ErrorCode::InvalidInput, cannotRead(file), "it is no PNG, JPEG, BMP, TIFF or PNM picture",
                     "convert it to PNG or JPEG");
-    if (libav::isTooLarge(header->width, header->height) || std::int64_t(header->width) * header->height > mostPicturePixels)
+    if (libav::isTooLarge(header->width, header->height) ||
+        std::int64_t(header->width) * header->height > mostPicturePixels)
         return fail(ErrorCode::InvalidInput, cannotRead(file),
                     "it says that it has " + std::to_string(header->width) + "x" +
-                        std::to_string(header->height) + " pixels; more than 50 megapixels or 32000 pixels a side are not read",
+                        std::to_string(header->height) +
+                        " pixels; more than 50 megapixels or 32000 pixels a side are not read",
                     "make it smaller");
     auto frame = decode(std::move(*packet), *header);
     if (!frame)
@@ -239,6 +245,136 @@ Result<Frame> readPictureChecked(const std::filesystem::path &file)
 Result<Frame> readPicture(const std::filesystem::path &file)
 {
     return orShortage(cannotRead(file), [&file] { return readPictureChecked(file); });
+}
+
+namespace {
+
+struct Size
+{
+    std::uint32_t width = 0, height = 0;
+};
+
+/// A number of `count` bytes at `at`; 0 where the file ends before it, which no size can be.
+std::uint32_t number(Bytes file, std::size_t at, std::size_t count, bool bigEndian)
+{
+    if (at > file.size() || count > file.size() - at)
+        return 0;
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        value = value << 8 | file[bigEndian ? at + i : at + count - 1 - i];
+    return value;
+}
+
+bool startsWith(Bytes file, std::string_view magic)
+{
+    return std::string_view(reinterpret_cast<const char *>(file.data()), file.size()).starts_with(magic);
+}
+
+/// Walks the segments up to the first start of frame (ITU-T T.81 §B.1). A stuffed zero (ff 00) is no marker:
+/// a decoder would look for the next one among the bytes that it would cover as a segment.
+Size jpegSize(Bytes file)
+{
+    std::size_t at = 2;
+    while (at + 9 < file.size()) {
+        const std::uint8_t marker = file[at + 1];
+        if (file[at] != 0xff || marker == 0x00)
+            return {};
+        if (marker == 0xff || marker == 0x01 ||
+            (marker >= 0xd0 && marker <= 0xd7)) { // fill byte or bare marker
+            at += marker == 0xff ? 1 : 2;
+            continue;
+        }
+        const bool startOfFrame =
+            marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+        if (startOfFrame)
+            return {number(file, at + 7, 2, true), number(file, at + 5, 2, true)};
+        at += 2 + number(file, at + 2, 2, true);
+    }
+    return {};
+}
+
+/// The first image file directory (TIFF 6.0 §2): ImageWidth 256, ImageLength 257, TileWidth 322, TileLength
+/// 323, each of them once and SHORT or LONG. What is stated otherwise is refused: which size a decoder takes
+/// then is its choice.
+Size tiffSize(Bytes file, bool bigEndian)
+{
+    constexpr std::uint32_t tags[] = {256, 257, 322, 323}, shortNumber = 3, longNumber = 4;
+    const std::size_t directory = number(file, 4, 4, bigEndian);
+    const std::uint32_t entries = number(file, directory, 2, bigEndian);
+    std::uint32_t values[std::size(tags)] = {};
+    for (std::uint32_t i = 0; i < entries; ++i) {
+        const std::size_t entry = directory + 2 + std::size_t(12) * i;
+        const auto tag = std::ranges::find(tags, number(file, entry, 2, bigEndian));
+        if (tag == std::end(tags))
+            continue;
+        const std::uint32_t type = number(file, entry + 2, 2, bigEndian);
+        std::uint32_t &value = values[tag - std::begin(tags)];
+        if ((type != shortNumber && type != longNumber) || value != 0)
+            return {};
+        value = number(file, entry + 8, type == shortNumber ? 2 : 4, bigEndian);
+    }
+    if (values[0] == 0 || values[1] == 0)
+        return {};
+    return {std::max(values[0], values[2]), std::max(values[1], values[3])}; // tiles are decoded whole
+}
+
+/// "P5 640 480 255", with comments from # to the end of a line. The magic and each number end with white
+/// space (the Netpbm formats' own rule): where they do not, decoders disagree on what is a comment.
+Size pnmSize(Bytes file)
+{
+    std::uint32_t numbers[2] = {};
+    std::size_t at = 2;
+    const auto isSpace = [&] { return at < file.size() && std::isspace(file[at]) != 0; };
+    for (std::uint32_t &value : numbers) {
+        if (!isSpace())
+            return {};
+        while (isSpace() || (at < file.size() && file[at] == '#'))
+            if (file[at++] == '#')
+                while (at < file.size() && file[at] != '\n' && file[at] != '\r')
+                    ++at;
+        for (int digits = 0; at < file.size() && std::isdigit(file[at]) != 0 && digits < 9; ++at, ++digits)
+            value = value * 10 + (file[at] - '0');
+    }
+    return isSpace() ? Size{numbers[0], numbers[1]} : Size{};
+}
+
+/// Rows from the top have a negative height.
+Size bmpSize(Bytes file)
+{
+    const auto height = static_cast<std::int32_t>(number(file, 22, 4, false));
+    return {number(file, 18, 4, false),
+            static_cast<std::uint32_t>(height < 0 ? -std::int64_t(height) : height)};
+}
+
+PictureHeader header(PictureFormat format, Size size)
+{
+    return {format, size.width, size.height};
+}
+
+PictureHeader statedHeader(Bytes file)
+{
+    using namespace std::string_view_literals;
+    if (startsWith(file, "\x89PNG\r\n\x1a\n"sv))
+        return header(PictureFormat::Png, {number(file, 16, 4, true), number(file, 20, 4, true)});
+    if (startsWith(file, "\xff\xd8\xff"sv))
+        return header(PictureFormat::Jpeg, jpegSize(file));
+    if (startsWith(file, "BM"sv))
+        return header(PictureFormat::Bmp, bmpSize(file));
+    if (startsWith(file, "II*\0"sv) || startsWith(file, "MM\0*"sv))
+        return header(PictureFormat::Tiff, tiffSize(file, file[0] == 'M'));
+    if (file.size() > 2 && file[0] == 'P' && file[1] >= '1' && file[1] <= '6') {
+        constexpr PictureFormat formats[] = {PictureFormat::Pbm, PictureFormat::Pgm, PictureFormat::Ppm};
+        return header(formats[(file[1] - '1') % 3], pnmSize(file));
+    }
+    return {};
+}
+
+} // namespace
+
+std::optional<PictureHeader> pictureHeader(Bytes file)
+{
+    const PictureHeader stated = statedHeader(file);
+    return stated.width > 0 && stated.height > 0 ? std::optional(stated) : std::nullopt;
 }
 
 } // namespace odo

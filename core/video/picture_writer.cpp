@@ -2,8 +2,8 @@
 #include "core/video/picture_writer.h"
 
 #include "core/files/output_file.h"
-#include "core/video/jpeg_encoder.h"
-#include "core/video/libav.h"
+#include "core/video/internal/libav.h"
+#include "core/video/jpeg.h"
 #include "core/video/picture.h"
 
 #include <algorithm>
@@ -23,8 +23,10 @@ tl::unexpected<Error> notPacked()
     return fail(ErrorCode::Internal, "picture", "it could not be packed", "use another picture");
 }
 
-/// Rows of grey or of red, green and blue, as a PNG: quickly, which makes it a tenth larger than it could be. write(to, stride) writes them.
-Result<PackedPicture> packed(int width, int height, AVPixelFormat pixels, const std::function<void(std::uint8_t *, int)> &write)
+/// Rows of grey or of red, green and blue, as a PNG: quickly, which makes it a tenth larger than it could be.
+/// write(to, stride) writes them.
+Result<PackedPicture> packed(int width, int height, AVPixelFormat pixels,
+                             const std::function<void(std::uint8_t *, int)> &write)
 {
     if (width <= 0 || height <= 0)
         return notPacked();
@@ -93,13 +95,14 @@ Result<PackedPicture> colourPng(const Frame &frame)
     if (frame.y.data == nullptr)
         return notPacked();
     constexpr int band = 256; // rows at a time: those for a screen take four bytes a pixel
-    return packed(frame.format.width, frame.format.height, AV_PIX_FMT_RGB24, [&](std::uint8_t *to, int stride) {
-        for (int y = 0; y < frame.format.height; y += band) {
-            const ScreenPicture rows = rowsToScreen(frame, y, std::min(band, frame.format.height - y));
-            libyuv::ARGBToRAW(reinterpret_cast<const std::uint8_t *>(rows.pixels.get()), 4 * rows.width, to + std::ptrdiff_t(y) * stride,
-                              stride, rows.width, rows.height);
-        }
-    });
+    return packed(
+        frame.format.width, frame.format.height, AV_PIX_FMT_RGB24, [&](std::uint8_t *to, int stride) {
+            for (int y = 0; y < frame.format.height; y += band) {
+                const ScreenPicture rows = rowsToScreen(frame, y, std::min(band, frame.format.height - y));
+                libyuv::ARGBToRAW(reinterpret_cast<const std::uint8_t *>(rows.pixels.get()), 4 * rows.width,
+                                  to + std::ptrdiff_t(y) * stride, stride, rows.width, rows.height);
+            }
+        });
 }
 
 Result<PackedPicture> greyPng(const Frame &frame)

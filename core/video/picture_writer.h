@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/files/output_guard.h"
+#include "core/files/output_file.h"
 #include "core/video/frame.h"
 
 #include <filesystem>
@@ -10,7 +10,8 @@
 
 namespace odo {
 
-/// Writes a frame as a still picture in colour; the ending names the format (.png, .jpg). Errors: those of OutputFile.
+/// Writes a frame as a still picture in colour; the ending names the format (.png, .jpg). Errors: those of
+/// OutputFile.
 Result<void> writePicture(const Frame &frame, const OutputTarget &target);
 
 /// A frame in colour as a PNG.

@@ -2,7 +2,7 @@
 #include "core/video/recording_writer.h"
 
 #include "core/base/file_system.h"
-#include "core/video/libav.h"
+#include "core/video/internal/libav.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -103,7 +103,8 @@ Result<void> RecordingWriter::Impl::open(const FrameFormat &format)
 int RecordingWriter::Impl::writeToFile(void *impl, std::uint8_t *bytes, int count)
 {
     for (int done = 0; done < count;) {
-        const ssize_t written = ::write(static_cast<Impl *>(impl)->descriptor, bytes + done, static_cast<std::size_t>(count - done));
+        const ssize_t written = ::write(static_cast<Impl *>(impl)->descriptor, bytes + done,
+                                        static_cast<std::size_t>(count - done));
         if (written < 0 && errno != EINTR)
             return AVERROR(errno);
         done += static_cast<int>(std::max<ssize_t>(0, written));
@@ -141,7 +142,8 @@ bool RecordingWriter::Impl::close()
 RecordingWriter::RecordingWriter(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
 RecordingWriter::~RecordingWriter() = default;
 
-Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::filesystem::path &file, const FrameFormat &format,
+Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::filesystem::path &file,
+                                                                 const FrameFormat &format,
                                                                  double nominalFramesPerSecond)
 {
     libav::quieten();
@@ -160,11 +162,13 @@ Result<void> RecordingWriter::write(std::span<const std::uint8_t> jpeg, Nanoseco
         return d.problem("writing has failed before");
     const libav::PacketPtr packet(libav::allocated(av_packet_alloc()));
     // Not owned, so that the muxer only reads it.
-    packet->data = const_cast<std::uint8_t *>(jpeg.data()); // NOLINT(cppcoreguidelines-pro-type-const-cast): see above
+    packet->data =
+        const_cast<std::uint8_t *>(jpeg.data()); // NOLINT(cppcoreguidelines-pro-type-const-cast): see above
     packet->size = static_cast<int>(jpeg.size());
     packet->flags = AV_PKT_FLAG_KEY;
     packet->stream_index = d.stream->index;
-    packet->pts = packet->dts = d.lastMs = std::max(d.lastMs + 1, std::int64_t(std::llround(toSeconds(time) * 1000)));
+    packet->pts = packet->dts = d.lastMs =
+        std::max(d.lastMs + 1, std::int64_t(std::llround(toSeconds(time) * 1000)));
     packet->duration = d.frameMs;
     int error = av_write_frame(d.container, packet.get());
     const bool syncNow = time - d.synced >= syncEach;

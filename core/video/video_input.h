@@ -3,9 +3,13 @@
 
 #include "core/base/error.h"
 #include "core/base/job_control.h"
-#include "core/video/libav.h"
+#include "core/base/units.h"
+#include "core/video/internal/libav.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <span>
+#include <vector>
 
 namespace odo {
 
@@ -15,8 +19,10 @@ namespace odo {
 class VideoInput
 {
 public:
-    /// cancel: once it is cancelled, read() ends with AVERROR_EXIT. Errors: missing, a folder or device, unreadable, not a video, no video stream.
-    static Result<std::unique_ptr<VideoInput>> open(const std::filesystem::path &file, const CancelToken &cancel = {});
+    /// cancel: once it is cancelled, read() ends with AVERROR_EXIT. Errors: missing, a folder or device,
+    /// unreadable, not a video, no video stream.
+    static Result<std::unique_ptr<VideoInput>> open(const std::filesystem::path &file,
+                                                    const CancelToken &cancel = {});
     /// The same file from its beginning, taken for the container that it was found to be.
     Result<std::unique_ptr<VideoInput>> openedAgain() const;
     ~VideoInput();
@@ -40,8 +46,12 @@ public:
     bool seek(std::int64_t timeStamp);
 
 private:
-    VideoInput(std::filesystem::path file, CancelToken cancel) : m_file(std::move(file)), m_cancel(std::move(cancel)) {}
-    static Result<std::unique_ptr<VideoInput>> open(const std::filesystem::path &file, const AVInputFormat *known, const CancelToken &cancel);
+    VideoInput(std::filesystem::path file, CancelToken cancel)
+        : m_file(std::move(file)), m_cancel(std::move(cancel))
+    {
+    }
+    static Result<std::unique_ptr<VideoInput>> open(const std::filesystem::path &file,
+                                                    const AVInputFormat *known, const CancelToken &cancel);
     Result<void> openContainer(const AVInputFormat *known);
     Result<void> findStream();
 
@@ -53,5 +63,51 @@ private:
     AVChromaLocation m_containerChromaLocation = AVCHROMA_LOC_UNSPECIFIED;
     std::int64_t m_lastEnd = 0;
 };
+
+/// All packets of a video stream in the order of the file, and the frames that they hold in order of
+/// presentation.
+struct PacketIndex
+{
+    struct Packet
+    {
+        std::int64_t pts = AV_NOPTS_VALUE; ///< dts where the file gives no other
+        std::int64_t dts = AV_NOPTS_VALUE;
+        bool key = false;
+    };
+    struct ShownFrame
+    {
+        std::int64_t pts = AV_NOPTS_VALUE;
+        std::size_t packet = 0; ///< place in `packets`
+    };
+    std::vector<Packet> packets;
+    std::vector<ShownFrame> frames; ///< by pts, each once; empty pts where `counted`
+    std::vector<Nanoseconds> times; ///< of `frames`, since the first, strictly increasing
+    /// Packets do not say when their frame is shown: frames can only be told by counting them from the start.
+    bool counted = false;
+    std::string warning;
+    std::vector<std::vector<std::uint8_t>> firstJpegs; ///< of MJPEG: the first packets
+
+    /// The packet to begin decoding with so that this frame comes out: the last key frame before it both in
+    /// the file and in presentation (frames that follow a key frame in the file but are shown before it need
+    /// the key frame before that).
+    std::size_t keyPacketFor(std::size_t frame) const;
+    /// The place of the frame with this time stamp; -1 when there is none.
+    std::int64_t frameOf(std::int64_t pts) const;
+    /// The place of the packet with this time stamp; -1 when there is none.
+    std::int64_t packetOf(std::int64_t pts) const;
+};
+
+/// Reads the input from where it stands (its start) to its end, without decoding. Error Cancelled, beside
+/// those of a file without a frame.
+Result<PacketIndex> indexPackets(VideoInput &input);
+
+/// The time stamp by which packets are told apart: pts, else dts.
+std::int64_t timeStampOf(const AVPacket &packet);
+
+/// Whether every slice of an FFV1 packet carries a CRC and it holds. libav's decoder hides a slice whose CRC
+/// fails behind the picture before and says nothing, so it has to be asked beforehand. A packet coded without
+/// CRCs gives false too. Source: RFC 9043 §4.5 and §4.9 (slice footer: 24 bits of size, error status, CRC
+/// parity).
+bool ffv1ChecksumsHold(std::span<const std::uint8_t> packet);
 
 } // namespace odo

@@ -2,15 +2,41 @@
 #include "core/video/video_reader.h"
 
 #include "core/base/shortage.h"
-#include "core/video/ffv1_checksum.h"
-#include "core/video/frame_spacing.h"
-#include "core/video/jpeg_picture.h"
-#include "core/video/packet_index.h"
-#include "core/video/stream_format.h"
+#include "core/video/frame_times.h"
+#include "core/video/internal/libav.h"
+#include "core/video/internal/stream_format.h"
+#include "core/video/jpeg.h"
+#include "core/video/video_input.h"
 
 #include <algorithm>
 
 namespace odo {
+
+/// A picture of an MJPEG stream of which only a part was decoded, with its packet.
+class JpegPicture : public CodedPicture
+{
+public:
+    JpegPicture(libav::PacketPtr packet, std::shared_ptr<JpegDecoder> decoder)
+        : m_packet(std::move(packet)), m_decoder(std::move(decoder))
+    {
+    }
+    Result<Frame> decodeWhole() const override
+    {
+        Frame frame;
+        if (m_decoder->decode(bytesOf(*m_packet), std::nullopt, frame) != JpegDecoder::Outcome::Decoded)
+            return fail(ErrorCode::InvalidInput, "cannot decode all of a frame", "its data are damaged",
+                        "its sound part is used");
+        return frame;
+    }
+    static std::span<const std::uint8_t> bytesOf(const AVPacket &packet)
+    {
+        return {packet.data, static_cast<std::size_t>(packet.size)};
+    }
+
+private:
+    const libav::PacketPtr m_packet;
+    const std::shared_ptr<JpegDecoder> m_decoder;
+};
 
 namespace {
 
@@ -123,9 +149,11 @@ bool VideoReader::Impl::startAt(std::size_t keyPacket)
     do {
         if (input->read(*packet) < 0)
             return false;
-        // They follow one another as in the index, which a search for each would take long to find in a large file.
+        // They follow one another as in the index, which a search for each would take long to find in a large
+        // file.
         const auto next = static_cast<std::size_t>(place + 1);
-        const bool follows = place >= 0 && next < index.packets.size() && index.packets[next].pts == timeStampOf(*packet);
+        const bool follows =
+            place >= 0 && next < index.packets.size() && index.packets[next].pts == timeStampOf(*packet);
         place = follows ? place + 1 : index.packetOf(timeStampOf(*packet));
         if (place > static_cast<std::int64_t>(keyPacket))
             return false;
@@ -217,8 +245,8 @@ std::optional<Frame> VideoReader::Impl::decodeJpegFrame()
             frame.index = place;
             frame.time = index.times[static_cast<std::size_t>(place)];
             if (frame.validRegion)
-                frame.coded = std::make_shared<JpegPicture>(libav::PacketPtr(libav::allocated(av_packet_clone(packet.get()))),
-                                                            jpegDecoder);
+                frame.coded = std::make_shared<JpegPicture>(
+                    libav::PacketPtr(libav::allocated(av_packet_clone(packet.get()))), jpegDecoder);
             return frame;
         }
         libav::FramePtr picture(libav::allocated(av_frame_alloc()));
@@ -282,12 +310,14 @@ bool VideoReader::Impl::isOnTheWay(std::size_t frame) const
 VideoReader::VideoReader(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
 VideoReader::~VideoReader() = default;
 
-Result<std::unique_ptr<VideoReader>> VideoReader::open(const std::filesystem::path &file, const CancelToken &cancel)
+Result<std::unique_ptr<VideoReader>> VideoReader::open(const std::filesystem::path &file,
+                                                       const CancelToken &cancel)
 {
     return orShortage("cannot open the video " + file.string(), [&] { return openChecked(file, cancel); });
 }
 
-Result<std::unique_ptr<VideoReader>> VideoReader::openChecked(const std::filesystem::path &file, const CancelToken &cancel)
+Result<std::unique_ptr<VideoReader>> VideoReader::openChecked(const std::filesystem::path &file,
+                                                              const CancelToken &cancel)
 {
     auto impl = std::make_unique<Impl>();
     impl->file = file;
@@ -359,7 +389,8 @@ std::int64_t VideoReader::keyFrameBefore(std::int64_t frameIndex) const
     const PacketIndex &index = m_impl->index;
     if (index.counted || frameIndex < 0 || frameIndex >= static_cast<std::int64_t>(index.frames.size()))
         return 0;
-    const PacketIndex::Packet &packet = index.packets[index.keyPacketFor(static_cast<std::size_t>(frameIndex))];
+    const PacketIndex::Packet &packet =
+        index.packets[index.keyPacketFor(static_cast<std::size_t>(frameIndex))];
     return std::clamp<std::int64_t>(index.frameOf(packet.pts), 0, frameIndex);
 }
 

@@ -33,17 +33,19 @@ class VideoReader
 {
 public:
     /// Opens the file and indexes its packets (no decoding). Errors: missing file, not a video, unsupported
-    /// pixel format, no video stream. cancel: ends this, and every later search for a frame, with Cancelled; a large file on a slow disk
-    /// takes its time.
-    static Result<std::unique_ptr<VideoReader>> open(const std::filesystem::path &file, const CancelToken &cancel = {});
+    /// pixel format, no video stream. cancel: ends this, and every later search for a frame, with Cancelled;
+    /// a large file on a slow disk takes its time.
+    static Result<std::unique_ptr<VideoReader>> open(const std::filesystem::path &file,
+                                                     const CancelToken &cancel = {});
     ~VideoReader();
     VideoReader(const VideoReader &) = delete;
     VideoReader &operator=(const VideoReader &) = delete;
 
     const VideoInfo &info() const;
     /// The next frame in order of presentation; nullopt at the end. A damaged frame is an Error that can be
-    /// skipped by calling again (InvalidInput; Unavailable where memory ran out). A region asks for no more than this part; where decodesRegions() the frame
-    /// may then hold only that (Frame::validRegion), in all else it is whole.
+    /// skipped by calling again (InvalidInput; Unavailable where memory ran out). A region asks for no more
+    /// than this part; where decodesRegions() the frame may then hold only that (Frame::validRegion), in all
+    /// else it is whole.
     Result<std::optional<Frame>> next(const std::optional<PixelRect> &region = std::nullopt);
     /// Whether asking for a region saves time: in MJPEG it does.
     bool decodesRegions() const;
@@ -58,7 +60,8 @@ public:
 private:
     struct Impl;
     explicit VideoReader(std::unique_ptr<Impl> impl);
-    static Result<std::unique_ptr<VideoReader>> openChecked(const std::filesystem::path &file, const CancelToken &cancel);
+    static Result<std::unique_ptr<VideoReader>> openChecked(const std::filesystem::path &file,
+                                                            const CancelToken &cancel);
     std::unique_ptr<Impl> m_impl;
 };
 

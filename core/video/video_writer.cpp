@@ -1,13 +1,68 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/video_writer.h"
 
+#include "core/base/error.h"
+#include "core/base/units.h"
 #include "core/files/output_file.h"
-#include "core/video/matroska_time_scale.h"
-#include "core/video/video_encoder.h"
+#include "core/video/internal/video_encoder.h"
 
 #include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
 
 namespace odo {
+
+/// libav's Matroska muxer counts in milliseconds and nothing else, which would shift frames by up to half of
+/// one. So the writer hands it microseconds as if they were milliseconds, and this turns the finished file
+/// into the truth: it sets TimestampScale (RFC 9559 §5.1.2.9) to 1000 ns and the DURATION tag to the real
+/// duration. The file must have been written without CRC-32 elements.
+Result<void> setMicrosecondScale(const std::filesystem::path &file, Nanoseconds duration);
+
+namespace {
+
+constexpr std::size_t headBytes = 8192; // the muxer writes Info and Tags before the first cluster
+
+} // namespace
+
+Result<void> setMicrosecondScale(const std::filesystem::path &file, Nanoseconds duration)
+{
+    using namespace std::string_literals;
+    static const std::string milliseconds =
+        "\x2a\xd7\xb1\x83\x0f\x42\x40"s; // TimestampScale, 3 bytes, 1 000 000 ns
+    static const std::string microseconds = "\x2a\xd7\xb1\x83\x00\x03\xe8"s; // 1000 ns
+    static const std::string tag = "DURATION\x44\x87"s; // a SimpleTag's name, then TagString
+    constexpr std::size_t durationLetters = 18;         // "00:00:12.345678000"
+
+    std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
+    std::string head(headBytes, '\0');
+    stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(stream.gcount()));
+    stream.clear();
+    const std::size_t scaleAt = head.find(milliseconds);
+    if (scaleAt == std::string::npos)
+        return fail(ErrorCode::Internal, "cannot write the video " + file.string(),
+                    "its time scale was not found where the muxer should have put it",
+                    "report this as a bug");
+    stream.seekp(static_cast<std::streamoff>(scaleAt));
+    stream.write(microseconds.data(), static_cast<std::streamsize>(microseconds.size()));
+
+    if (const std::size_t tagAt = head.find(tag); tagAt != std::string::npos) {
+        const long long ns = duration.count();
+        const long long seconds = ns / 1'000'000'000;
+        char text[40];
+        std::snprintf(text, sizeof text, "%02lld:%02lld:%02lld.%09lld", seconds / 3600 % 100,
+                      seconds / 60 % 60, seconds % 60, ns % 1'000'000'000);
+        stream.seekp(static_cast<std::streamoff>(tagAt + tag.size() + 1)); // after the length byte
+        stream.write(text, durationLetters);
+    }
+    stream.close();
+    if (!stream)
+        return fail(ErrorCode::Io, "cannot write the video " + file.string(),
+                    "its header could not be rewritten", "check that there is room on the disk");
+    return {};
+}
 
 namespace {
 
@@ -164,9 +219,8 @@ Nanoseconds VideoWriter::Impl::duration() const
 VideoWriter::VideoWriter(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
 VideoWriter::~VideoWriter() = default;
 
-Result<std::unique_ptr<VideoWriter>> VideoWriter::create(const OutputTarget &target,
-                                                         const FrameFormat &format,
-                                                         const VideoWriterOptions &options)
+Result<std::unique_ptr<VideoWriter>>
+VideoWriter::create(const OutputTarget &target, const FrameFormat &format, const VideoWriterOptions &options)
 {
     libav::quieten();
     if (!(options.nominalFramesPerSecond > 0.0 && options.nominalFramesPerSecond <= 100'000.0))

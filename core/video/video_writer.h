@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/files/output_guard.h"
+#include "core/files/output_file.h"
 #include "core/video/frame.h"
 
 #include <filesystem>
@@ -27,16 +27,16 @@ struct VideoWriterOptions
 FileKind videoKind(const std::filesystem::path &file);
 
 /// Writes frames with their exact times (variable rate allowed, microseconds, counted from the first frame)
-/// to a file that appears under its name only when finish() succeeded (OutputFile). The ending decides the container: .mkv or .mp4
-/// (not for FFV1). The same frames and options give the same bytes on every machine
+/// to a file that appears under its name only when finish() succeeded (OutputFile). The ending decides the
+/// container: .mkv or .mp4 (not for FFV1). The same frames and options give the same bytes on every machine
 /// (with one thread). Not thread-safe.
 class VideoWriter
 {
 public:
     /// Errors: unknown ending, those of OutputFile, a format that the codec cannot take (H264
     /// needs an even size).
-    static Result<std::unique_ptr<VideoWriter>>
-    create(const OutputTarget &target, const FrameFormat &format, const VideoWriterOptions &options);
+    static Result<std::unique_ptr<VideoWriter>> create(const OutputTarget &target, const FrameFormat &format,
+                                                       const VideoWriterOptions &options);
     ~VideoWriter(); ///< without finish(): removes the partial file
     VideoWriter(const VideoWriter &) = delete;
     VideoWriter &operator=(const VideoWriter &) = delete;

@@ -1,25 +1,102 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/demo.h"
 
+#include "core/analysis/scoring.h"
 #include "core/base/file_system.h"
 #include "core/base/shortage.h"
-#include "core/exchange/layout_csv.h"
-#include "core/files/output_guard.h"
+#include "core/exchange/labelled_points.h"
+#include "core/files/output_file.h"
 #include "core/files/temporary.h"
 #include "core/project/project.h"
+#include "core/project/records.h"
 #include "core/project/repositories.h"
-#include "core/simulation/board_poses.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
-#include "core/workflow/calibrate_job.h"
-#include "core/workflow/demo_tasks.h"
-#include "core/workflow/import_trial_job.h"
-#include "core/workflow/register_job.h"
-#include "core/workflow/track_job.h"
-#include "core/workflow/truth_files.h"
+#include "core/workflow/calibrate/calibrate_job.h"
+#include "core/workflow/calibrate/register_job.h"
+#include "core/workflow/import/import_trial_job.h"
+#include "core/workflow/known_truth.h"
+#include "core/workflow/track/track_job.h"
+
+#include <vector>
 
 namespace odo {
+
+/// The tasks of the demo's trials (demoTrials, by name), laid where its robots drive: a straight line with
+/// start and finish, laps of a circle, a figure eight, and a square with stops.
+std::vector<TaskRecord> demoTasks();
+/// How one of them is scored: by its time, by how well its path is kept, and a point off for each spike.
+std::vector<Criterion> demoScoring(const Task &task);
+
+namespace {
+
+const Eigen::Vector2d middle(1.5, 1.1); // of the floor
+
+Task straightLine()
+{
+    const Eigen::Vector2d from(0.35, 0.55), to(2.65, 1.6), way = (to - from).normalized();
+    Task task;
+    task.kind = TaskTemplate::StraightLine;
+    task.gates = {gateAcross("Start", GateRole::Start, from + 0.4 * way, way, 0.5),
+                  gateAcross("Half-way", GateRole::Split, (from + to) / 2, way, 0.5),
+                  gateAcross("Finish", GateRole::Finish, to - 0.4 * way, way, 0.5)};
+    task.path.points = {from, to};
+    return task;
+}
+
+Task circle()
+{
+    constexpr double radiusM = 0.75;
+    Task task;
+    task.kind = TaskTemplate::Circle;
+    const Eigen::Vector2d up(0, radiusM);
+    task.gates = {gateAcross("Lap", GateRole::StartFinish, middle + up, {-1, 0}, 0.4),
+                  gateAcross("Half lap", GateRole::Split, middle - up, {1, 0}, 0.4)};
+    task.path = circlePath(middle, radiusM);
+    return task;
+}
+
+Task figureEight()
+{
+    constexpr double halfWidthM = 1.05, halfHeightM = 0.6;
+    Task task;
+    task.kind = TaskTemplate::FigureEight;
+    const Eigen::Vector2d end(halfWidthM, 0);
+    task.gates = {gateAcross("Right", GateRole::StartFinish, middle + end, {0, -1}, 0.5),
+                  gateAcross("Left", GateRole::Split, middle - end, {0, -1}, 0.5)};
+    task.path = figureEightPath(middle, halfWidthM, halfHeightM);
+    task.limits = {3.0, 15.0};
+    return task;
+}
+
+Task stopAndGo()
+{
+    Task task;
+    task.path.points = {{0.45, 0.5}, {2.5, 0.55}, {2.4, 1.7}, {0.6, 1.65}};
+    const Eigen::Vector2d first = task.path.points[0], second = task.path.points[1];
+    task.gates = {gateAcross("Start", GateRole::Start, first + 0.2 * (second - first), second - first, 0.4),
+                  gateAcross("Finish", GateRole::Finish, {1.0, 1.6611}, {-1, 0}, 0.4)};
+    return task;
+}
+
+} // namespace
+
+std::vector<TaskRecord> demoTasks()
+{
+    return {{0, "Straight line", straightLine()},
+            {0, "Circle", circle()},
+            {0, "Figure eight", figureEight()},
+            {0, "Stop and go", stopAndGo()}};
+}
+
+std::vector<Criterion> demoScoring(const Task &task)
+{
+    const bool hasLaps = task.kind == TaskTemplate::Circle || task.kind == TaskTemplate::FigureEight;
+    return {{hasLaps ? "best_lap" : "gate_time", 1, 10, 60},
+            {"cross_track_rms", 0, 40, 40},
+            {"spikes", 10, 0, -10}};
+}
 
 namespace {
 
@@ -34,7 +111,8 @@ Result<void> makeFolder(const fs::path &folder)
 {
     std::error_code problem;
     files::makeFolders(folder, problem);
-    return problem ? fail(ErrorCode::Io, "folder '" + folder.string() + "'", problem.message(), demoAdvice) : Result<void>();
+    return problem ? fail(ErrorCode::Io, "folder '" + folder.string() + "'", problem.message(), demoAdvice)
+                   : Result<void>();
 }
 
 /// One part of the whole job's progress.
@@ -48,7 +126,8 @@ JobControl part(const JobControl &whole, double from, double to)
     return control;
 }
 
-/// What the project is given of a robot: colour and size of a box, nothing of a robot of parts, which is one of any look.
+/// What the project is given of a robot: colour and size of a box, nothing of a robot of parts, which is one
+/// of any look.
 RobotRecord recordOf(const SimulatedRobot &simulated)
 {
     RobotRecord robot;
@@ -68,7 +147,8 @@ class DemoMaker
 public:
     DemoMaker(const fs::path &folder, Project &project, const JobControl &control)
         : m_folder(folder), m_project(project), m_control(control), m_trials(demoTrials())
-    {}
+    {
+    }
 
     Result<void> make()
     {
@@ -105,7 +185,8 @@ private:
                 const std::string suffix = (number < 9 ? "_0" : "_") + std::to_string(number + 1) + ".png";
                 const fs::path file = pictures / (camera.name + suffix);
                 if (auto written = writePicture(
-                        renderBoard(camera.view.camera(), board, boardNoise, std::uint32_t(100 + number)), file);
+                        renderBoard(camera.view.camera(), board, boardNoise, std::uint32_t(100 + number)),
+                        file);
                     !written)
                     return written;
                 settings.files.push_back(file);
@@ -258,7 +339,8 @@ Result<void> buildIn(const fs::path &folder, const JobControl &control)
 
 constexpr std::array<const char *, 4> parts = {"demo.media", "calibration", "truth", "demo.odo"};
 
-/// All of it, or nothing. The first is a folder, which takes nobody else's place: of two demos made at once one fails there.
+/// All of it, or nothing. The first is a folder, which takes nobody else's place: of two demos made at once
+/// one fails there.
 std::error_code moveParts(const fs::path &from, const fs::path &to)
 {
     std::error_code problem, ignored;

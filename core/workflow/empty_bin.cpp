@@ -2,10 +2,9 @@
 #include "core/workflow/empty_bin.h"
 
 #include "core/base/file_system.h"
-#include "core/project/own_media.h"
 #include "core/project/project.h"
+#include "core/project/project_media.h"
 #include "core/project/repositories.h"
-#include "core/project/stray_media.h"
 
 namespace odo {
 
@@ -42,7 +41,8 @@ Result<void> EmptyBinJob::run(const JobControl &control)
 }
 
 /// usedBeside: by other projects, as far as that can be told.
-Result<void> EmptyBinJob::remove(Project &project, const TrialName &trial, const Result<ReferredFiles> &usedBeside)
+Result<void> EmptyBinJob::remove(Project &project, const TrialName &trial,
+                                 const Result<ReferredFiles> &usedBeside)
 {
     const auto known = project.trials().get(trial.id);
     if (!known && known.error().code != ErrorCode::NotFound)
@@ -65,7 +65,8 @@ Result<void> EmptyBinJob::remove(Project &project, const TrialName &trial, const
         recording.path = path;
         const std::filesystem::path file = project.resolve(recording);
         const auto used = project.trials().isFileUsed(path);
-        if (used.value_or(false) || !isOwnMedia(file, project.mediaFolder()) || (usedBeside && usedBeside->contains(file)))
+        if (used.value_or(false) || !isOwnMedia(file, project.mediaFolder()) ||
+            (usedBeside && usedBeside->contains(file)))
             continue;
         const bool isKnown = used && usedBeside;
         std::error_code problem;

@@ -46,7 +46,10 @@ Result<void> ExportJob::writeAll(const JobControl &control)
             return cancelled("export of '" + m_trial + "'");
         const std::string name = m_analyses.size() > 1 ? m_trial + " " + analysis.robotName : m_trial;
         const std::filesystem::path file = m_folder / (fileNameOf(name) + ".csv");
-        if (auto written = writeOutput({file, Existing::Refuse}, [&](const TextSink &sink) { return writeTrackCsv(analysis, m_style, sink); }); !written)
+        if (auto written =
+                writeOutput({file, Existing::Refuse},
+                            [&](const TextSink &sink) { return writeTrackCsv(analysis, m_style, sink); });
+            !written)
             return written;
         m_files.push_back(file);
     }

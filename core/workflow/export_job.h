@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/exchange/file_name.h"
-#include "core/exchange/track_csv.h"
+#include "core/exchange/track_export.h"
 #include "core/project/records.h"
 #include "core/workflow/job.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/job.h"
 
-#include "core/base/cancel_scope.h"
+#include "core/base/job_control.h"
 #include "core/base/shortage.h"
 
 namespace odo {

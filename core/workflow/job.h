@@ -8,9 +8,9 @@ namespace odo {
 
 class Project;
 
-/// A use case in three steps, so that long work never touches the project and the project never waits for long work:
-/// prepare reads what is needed, run works on values alone, commit stores the outcome in one transaction. A failed or
-/// cancelled job leaves the project as it was.
+/// A use case in three steps, so that long work never touches the project and the project never waits for
+/// long work: prepare reads what is needed, run works on values alone, commit stores the outcome in one
+/// transaction. A failed or cancelled job leaves the project as it was.
 class Job
 {
 public:

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/job_runner.h"
 
-#include "core/base/cancel_scope.h"
+#include "core/base/job_control.h"
 #include "core/base/shortage.h"
-#include "core/workflow/call_later.h"
 #include "core/workflow/job.h"
 
 namespace odo {
@@ -26,8 +25,11 @@ bool JobRunner::start(std::shared_ptr<Job> job)
     m_job = std::move(job);
     m_cancel = CancelToken();
     // Queued, so that the caller always hears of the end after start has returned.
-    const auto finishLater = [this](const Result<void> &result) { callLater(this, [this, result] { finish(result); }); };
-    if (const auto prepared = orShortage(cannotDoThis, [this] { return m_job->prepare(m_project); }); !prepared) {
+    const auto finishLater = [this](const Result<void> &result) {
+        callLater(this, [this, result] { finish(result); });
+    };
+    if (const auto prepared = orShortage(cannotDoThis, [this] { return m_job->prepare(m_project); });
+        !prepared) {
         finishLater(prepared);
         return true;
     }
@@ -48,7 +50,10 @@ bool JobRunner::start(std::shared_ptr<Job> job)
     return true;
 }
 
-void JobRunner::cancel() { m_cancel.cancel(); }
+void JobRunner::cancel()
+{
+    m_cancel.cancel();
+}
 
 void JobRunner::finish(const Result<void> &result)
 {

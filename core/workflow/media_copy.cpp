@@ -3,10 +3,10 @@
 
 #include "core/base/file_system.h"
 #include "core/base/sha256.h"
-#include "core/files/protected_files.h"
 #include "core/exchange/file_name.h"
+#include "core/files/protected_files.h"
 #include "core/files/temporary.h"
-#include "core/project/own_media.h"
+#include "core/project/project_media.h"
 #include "core/project/recording_rows.h"
 
 #include <QFile>
@@ -20,7 +20,8 @@ constexpr qint64 blockBytes = 1 << 18;
 constexpr qint64 syncEach = 16 << 20;
 constexpr const char *roomAdvice = "check the free space and the rights of the project's folder";
 
-/// Of what files may be called letters and digits of any script, '-' and '_' stay; the rest could mean something to a shell.
+/// Of what files may be called letters and digits of any script, '-' and '_' stay; the rest could mean
+/// something to a shell.
 std::string safeName(const std::string &name)
 {
     const QString whole = QString::fromStdString(fileNameOf(name)).left(80);
@@ -47,8 +48,8 @@ ClaimedFile::Outcome<ClaimedFile> inFolder(const std::filesystem::path &folder, 
 }
 
 /// Copies block by block, hashing on the way, and gives the hash.
-Result<std::string> copyHashed(const std::filesystem::path &source, const ClaimedFile &target, const std::string &what,
-                               const JobControl &control)
+Result<std::string> copyHashed(const std::filesystem::path &source, const ClaimedFile &target,
+                               const std::string &what, const JobControl &control)
 {
     if (auto may = checkMayBeRead(source, what); !may)
         return tl::unexpected(may.error());
@@ -75,7 +76,8 @@ Result<std::string> copyHashed(const std::filesystem::path &source, const Claime
     return hash.hex();
 }
 
-Result<void> published(ClaimedFile &file, const std::string &name, const std::string &ending, const std::string &what)
+Result<void> published(ClaimedFile &file, const std::string &name, const std::string &ending,
+                       const std::string &what)
 {
     std::error_code problem = file.sync();
     if (!problem)
@@ -91,17 +93,19 @@ Result<MediaCopy> held(const std::filesystem::path &file, const std::string &wha
 {
     auto hold = ClaimedFile::hold(file);
     if (!hold && hold.error() == std::errc::resource_unavailable_try_again)
-        return fail(ErrorCode::Unavailable, what, "another program is writing or removing it just now", "wait until that has ended");
+        return fail(ErrorCode::Unavailable, what, "another program is writing or removing it just now",
+                    "wait until that has ended");
     auto hash = fileSha256(file, control);
     if (!hash)
         return tl::unexpected(hash.error());
     if (!hold)
-        return fail(ErrorCode::Io, what, hold.error().message(), "check that the file is there and may be read");
+        return fail(ErrorCode::Io, what, hold.error().message(),
+                    "check that the file is there and may be read");
     return MediaCopy{std::move(*hold), std::move(*hash)};
 }
 
-Result<MediaCopy> copied(const std::filesystem::path &source, const std::filesystem::path &mediaFolder, const std::string &name,
-                         const std::string &what, const JobControl &control)
+Result<MediaCopy> copied(const std::filesystem::path &source, const std::filesystem::path &mediaFolder,
+                         const std::string &name, const std::string &what, const JobControl &control)
 {
     auto file = inFolder(mediaFolder, [&] { return ClaimedFile::begin(mediaFolder); });
     if (!file)
@@ -116,16 +120,19 @@ Result<MediaCopy> copied(const std::filesystem::path &source, const std::filesys
 
 } // namespace
 
-Result<ClaimedFile> claimMediaFile(const std::filesystem::path &folder, const std::string &name, const std::string &ending)
+Result<ClaimedFile> claimMediaFile(const std::filesystem::path &folder, const std::string &name,
+                                   const std::string &ending)
 {
     auto file = inFolder(folder, [&] { return ClaimedFile::create(folder, safeName(name), ending); });
     if (!file)
-        return fail(ErrorCode::Io, "cannot write '" + (folder / (safeName(name) + ending)).string() + "'", file.error().message(), roomAdvice);
+        return fail(ErrorCode::Io, "cannot write '" + (folder / (safeName(name) + ending)).string() + "'",
+                    file.error().message(), roomAdvice);
     return std::move(*file);
 }
 
-Result<ClaimedFile> writeMediaFile(const std::filesystem::path &folder, const std::string &name, const std::string &ending,
-                                   std::span<const char> content, const std::string &what)
+Result<ClaimedFile> writeMediaFile(const std::filesystem::path &folder, const std::string &name,
+                                   const std::string &ending, std::span<const char> content,
+                                   const std::string &what)
 {
     auto file = inFolder(folder, [&] { return ClaimedFile::begin(folder); });
     if (!file)
@@ -142,13 +149,15 @@ Result<MediaCopy> copyIntoMedia(const std::filesystem::path &source, const std::
 {
     const std::filesystem::path original = files::absolute(source);
     const std::string what = "copy of '" + source.string() + "'";
-    const bool isThere = files::isSame(original.parent_path(), mediaFolder) || isOwnMedia(original, mediaFolder);
+    const bool isThere =
+        files::isSame(original.parent_path(), mediaFolder) || isOwnMedia(original, mediaFolder);
     auto copy = isThere ? held(original, what, control) : copied(original, mediaFolder, name, what, control);
     if (!copy)
         return copy;
     const auto bytes = copy->file.bytes();
     if (!bytes)
-        return fail(ErrorCode::Io, what, "it cannot be looked at (" + bytes.error().message() + ")", "check that the file is there and may be read");
+        return fail(ErrorCode::Io, what, "it cannot be looked at (" + bytes.error().message() + ")",
+                    "check that the file is there and may be read");
     copy->bytes = *bytes;
     return copy;
 }

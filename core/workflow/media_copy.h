@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/files/claimed_file.h"
 #include "core/base/error.h"
 #include "core/base/job_control.h"
+#include "core/files/claimed_file.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -18,18 +18,22 @@ struct MediaCopy
     std::int64_t bytes = 0;
 };
 
-/// Copies a file into the media folder (made when missing) under a name of its own, and computes its hash on the way. It appears under its
-/// name only when whole and on the disk. A file that lies in the media folder already is only hashed. Errors: Io, NotFound, Cancelled,
-/// Unavailable (it lies there already, and somebody writes or removes it).
+/// Copies a file into the media folder (made when missing) under a name of its own, and computes its hash on
+/// the way. It appears under its name only when whole and on the disk. A file that lies in the media folder
+/// already is only hashed. Errors: Io, NotFound, Cancelled, Unavailable (it lies there already, and somebody
+/// writes or removes it).
 Result<MediaCopy> copyIntoMedia(const std::filesystem::path &source, const std::filesystem::path &mediaFolder,
                                 const std::string &name, const JobControl &control);
 
-/// A new empty file in the media folder (made when missing), called after a name, which is made safe for every file system and cut to 80 letters, so
-/// that different names may give the same; then it gets a number. Error Io.
-Result<ClaimedFile> claimMediaFile(const std::filesystem::path &folder, const std::string &name, const std::string &ending);
+/// A new empty file in the media folder (made when missing), called after a name, which is made safe for
+/// every file system and cut to 80 letters, so that different names may give the same; then it gets a number.
+/// Error Io.
+Result<ClaimedFile> claimMediaFile(const std::filesystem::path &folder, const std::string &name,
+                                   const std::string &ending);
 
 /// As claimMediaFile, with what the file holds, whole and on the disk. what: names it in messages. Error Io.
-Result<ClaimedFile> writeMediaFile(const std::filesystem::path &folder, const std::string &name, const std::string &ending,
-                                   std::span<const char> content, const std::string &what);
+Result<ClaimedFile> writeMediaFile(const std::filesystem::path &folder, const std::string &name,
+                                   const std::string &ending, std::span<const char> content,
+                                   const std::string &what);
 
 } // namespace odo

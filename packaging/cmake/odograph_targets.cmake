@@ -105,13 +105,13 @@ endif()
 # odograph_moc_own(TARGET PLACE/tst_unit): makes tst_unit.moc, which tst_unit.cpp includes. AUTOMOC would start CMake twice for
 # each program.
 function(odograph_moc_own target unit)
-  get_filename_component(name ${unit} NAME)
-  set(moc ${CMAKE_CURRENT_BINARY_DIR}/${name}.moc)
+  get_filename_component(place ${CMAKE_CURRENT_BINARY_DIR}/${unit} DIRECTORY)
+  set(moc ${CMAKE_CURRENT_BINARY_DIR}/${unit}.moc)
   add_custom_command(OUTPUT ${moc}
     COMMAND Qt6::moc -o ${moc} ${CMAKE_CURRENT_SOURCE_DIR}/${unit}.cpp
     DEPENDS ${unit}.cpp VERBATIM)
   target_sources(${target} PRIVATE ${moc})
-  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
+  target_include_directories(${target} PRIVATE ${place})
 endfunction()
 
 # odograph_test_program(NAME KIND): a program that tests are compiled into; KIND: of its precompiled headers.

@@ -31,14 +31,18 @@ private Q_SLOTS:
         write("class.media/notes.txt", "a teacher's");
         const ProgramRun named = run("check %P");
         QCOMPARE(named.exitStatus, 1);
-        QVERIFY2(named.out.contains("lap_A.mkv: no trial, lens calibration or floor registration uses this file; "), named.out);
+        QVERIFY2(named.out.contains(
+                     "lap_A.mkv: no trial, lens calibration or floor registration uses this file; "),
+                 named.out);
         QVERIFY2(named.err.contains("3 problems found"), named.err);
         const ProgramRun adopted = run("check %P --adopt --json");
         QCOMPARE(adopted.exitStatus, 1); // the others are still there
-        QCOMPARE(adopted.json().value(QStringLiteral("adopted")).toArray(), QJsonArray{QStringLiteral("recovered: lap")});
+        QCOMPARE(adopted.json().value(QStringLiteral("adopted")).toArray(),
+                 QJsonArray{QStringLiteral("recovered: lap")});
         QCOMPARE(adopted.json().value(QStringLiteral("problems")).toArray().size(), 2);
         const ProgramRun removed = run("check %P --remove-strays");
-        QVERIFY2(removed.out.contains("broken_A.mkv removed\n") && removed.out.contains("notes.txt stays\n"), removed.out);
+        QVERIFY2(removed.out.contains("broken_A.mkv removed\n") && removed.out.contains("notes.txt stays\n"),
+                 removed.out);
         QVERIFY(!QFile::exists(path("class.media/broken_A.mkv")));
         QCOMPARE(removed.exitStatus, 1);
         QVERIFY(QFile::remove(path("class.media/notes.txt")));

@@ -15,8 +15,8 @@ using namespace odo;
 using namespace odo::test;
 using namespace Qt::StringLiterals;
 
-/// Every subcommand with a good call and with bad ones: the answer, the exit status, the one-line error, and that a
-/// failed call leaves the project's file as it was.
+/// Every subcommand with a good call and with bad ones: the answer, the exit status, the one-line error, and
+/// that a failed call leaves the project's file as it was.
 class TestCommandLine : public QObject, CallingTest
 {
     Q_OBJECT
@@ -51,8 +51,12 @@ class TestCommandLine : public QObject, CallingTest
 
     QJsonObject shownRobot() const
     {
-        return good("show %P run1 --json").json().value(QStringLiteral("robots")).toObject()
-            .value(QStringLiteral("red")).toObject();
+        return good("show %P run1 --json")
+            .json()
+            .value(QStringLiteral("robots"))
+            .toObject()
+            .value(QStringLiteral("red"))
+            .toObject();
     }
 
     /// Round trip of a flag set by hand, with the videos away: nothing may be decoded for it.
@@ -75,12 +79,20 @@ class TestCommandLine : public QObject, CallingTest
         QCOMPARE(spike.json().value(QStringLiteral("used")).toBool(), false);
         QVERIFY(spike.json().value(QStringLiteral("flags")).toString().contains(QStringLiteral("by_hand")));
         QCOMPARE(kept.exitStatus, 0);
-        const auto spikes = [](const QJsonObject &robot) { return robot.value(QStringLiteral("spikes")).toArray().size(); };
+        const auto spikes = [](const QJsonObject &robot) {
+            return robot.value(QStringLiteral("spikes")).toArray().size();
+        };
         QCOMPARE(spikes(judged), spikes(before) + 1);
-        QCOMPARE(judged.value(QStringLiteral("provenance")).toObject().value(QStringLiteral("overrules")).toArray().size(), 1);
+        QCOMPARE(judged.value(QStringLiteral("provenance"))
+                     .toObject()
+                     .value(QStringLiteral("overrules"))
+                     .toArray()
+                     .size(),
+                 1);
         QCOMPARE(valid.json().value(QStringLiteral("used")).toBool(), true);
         QCOMPARE(cleared.exitStatus, 0);
-        QCOMPARE(shownRobot().value(QStringLiteral("metrics")).toArray(), before.value(QStringLiteral("metrics")).toArray());
+        QCOMPARE(shownRobot().value(QStringLiteral("metrics")).toArray(),
+                 before.value(QStringLiteral("metrics")).toArray());
     }
 
 private Q_SLOTS:
@@ -97,7 +109,8 @@ private Q_SLOTS:
         write("playlist.mkv", "#EXTM3U\n#EXT-X-TARGETDURATION:5\n#EXTINF:5,\na.mkv\n#EXT-X-ENDLIST\n");
         write("broken.yaml", "image_width: 640\ncamera_matrix: [[[[\n");
         write("foreign.odo", "not a database");
-        QVERIFY(writePicture(SceneRenderer(demoTestbed(1), 0).render(0), path("noboard.png").toStdString()).has_value());
+        QVERIFY(writePicture(SceneRenderer(demoTestbed(1), 0).render(0), path("noboard.png").toStdString())
+                    .has_value());
     }
 
     void errorsAreJsonWhereItIsAsked_data()
@@ -105,7 +118,9 @@ private Q_SLOTS:
         QTest::addColumn<QString>("line");
         QTest::addColumn<int>("status");
         QTest::addColumn<QString>("code");
-        const auto add = [](const char *line, int status, const char *code) { QTest::newRow(line) << QString::fromLatin1(line) << status << QString::fromLatin1(code); };
+        const auto add = [](const char *line, int status, const char *code) {
+            QTest::newRow(line) << QString::fromLatin1(line) << status << QString::fromLatin1(code);
+        };
         add("list %/none.odo --json", 1, "not_found");
         add("list %/foreign.odo --json", 1, "invalid_input");
         add("list --json", 2, "wrong_call");
@@ -130,13 +145,20 @@ private Q_SLOTS:
 
     void standardFilesMayBeClosed()
     {
-        const auto shell = [](const char *line, const QString &file) { return runCommand(QStringLiteral("/bin/sh"), {QStringLiteral("-c"), QString::fromLatin1(line), file}); };
+        const auto shell = [](const char *line, const QString &file) {
+            return runCommand(QStringLiteral("/bin/sh"),
+                              {QStringLiteral("-c"), QString::fromLatin1(line), file});
+        };
         QCOMPARE(run("new %/closed.odo").exitStatus, 0);
         const QString file = path("closed.odo");
-        for (const char *line : {"\"$ODOGRAPH_PROGRAM\" list \"$0\" >&-", "\"$ODOGRAPH_PROGRAM\" list \"$0\" >&- <&-", "\"$ODOGRAPH_PROGRAM\" --version >&-"}) {
+        for (const char *line :
+             {"\"$ODOGRAPH_PROGRAM\" list \"$0\" >&-", "\"$ODOGRAPH_PROGRAM\" list \"$0\" >&- <&-",
+              "\"$ODOGRAPH_PROGRAM\" --version >&-"}) {
             const ProgramRun failed = shell(line, file);
             QCOMPARE(failed.exitStatus, 1);
-            QCOMPARE(failed.err, QByteArray("odograph: the answer: it could not be written (Bad file descriptor); what was to be done is done, make room and ask again\n"));
+            QCOMPARE(failed.err,
+                     QByteArray("odograph: the answer: it could not be written (Bad file descriptor); what "
+                                "was to be done is done, make room and ask again\n"));
         }
         QCOMPARE(shell("\"$ODOGRAPH_PROGRAM\" list \"$0\" 2>&- <&-", file).exitStatus, 0);
         QCOMPARE(shell("\"$ODOGRAPH_PROGRAM\" list \"$0.none\" >&- 2>&- <&-", file).exitStatus, 1);
@@ -146,7 +168,8 @@ private Q_SLOTS:
     {
         QCOMPARE(run("new %/place.odo").exitStatus, 0);
         QVERIFY(QDir().mkpath(path("place.media")));
-        for (const char *line : {"new %/place.odo-wal", "new %/place.odo.lock", "new %/place.odo.bak-1", "new %/place.media/inner.odo", "new %/.odograph-aaaaaaaaaaaa.part",
+        for (const char *line : {"new %/place.odo-wal", "new %/place.odo.lock", "new %/place.odo.bak-1",
+                                 "new %/place.media/inner.odo", "new %/.odograph-aaaaaaaaaaaa.part",
                                  "demo %/place.media/new/demo"}) {
             const ProgramRun refused = run(line);
             QVERIFY2(refused.exitStatus == 2 && refused.err.count('\n') == 1, refused.err);
@@ -173,49 +196,76 @@ private Q_SLOTS:
         QCOMPARE(registered.exitStatus, 0);
         const QJsonObject registration = registered.json();
         QCOMPARE(registration.value(QStringLiteral("markers")).toArray().size(), 4);
-        QVERIFY(registration.value(QStringLiteral("verdict")).toString().contains(QStringLiteral("distortion")));
+        QVERIFY(
+            registration.value(QStringLiteral("verdict")).toString().contains(QStringLiteral("distortion")));
         QCOMPARE(good("register %P --camera B --layout floor --video %/b.mkv").exitStatus, 0);
 
-        const ProgramRun imported =
-            good("import %P --trial run1 --video A=%/a.mkv --video B=%/b.mkv --sync 0 --team Falcon --robot red --json");
+        const ProgramRun imported = good("import %P --trial run1 --video A=%/a.mkv --video B=%/b.mkv --sync "
+                                         "0 --team Falcon --robot red --json");
         QCOMPARE(imported.exitStatus, 0);
-        QCOMPARE(imported.json().value(QStringLiteral("views")).toObject().value(QStringLiteral("A")).toObject()
-                     .value(QStringLiteral("frames")).toInt(), 60);
-        QCOMPARE(imported.json().value(QStringLiteral("sync")).toObject().value(QStringLiteral("method")).toString(),
+        QCOMPARE(imported.json()
+                     .value(QStringLiteral("views"))
+                     .toObject()
+                     .value(QStringLiteral("A"))
+                     .toObject()
+                     .value(QStringLiteral("frames"))
+                     .toInt(),
+                 60);
+        QCOMPARE(imported.json()
+                     .value(QStringLiteral("sync"))
+                     .toObject()
+                     .value(QStringLiteral("method"))
+                     .toString(),
                  QStringLiteral("told"));
 
         const ProgramRun tracked = good("track %P run1 --json");
         QCOMPARE(tracked.exitStatus, 0);
-        const QJsonObject robot = tracked.json().value(QStringLiteral("robots")).toObject().value(QStringLiteral("red")).toObject();
+        const QJsonObject robot =
+            tracked.json().value(QStringLiteral("robots")).toObject().value(QStringLiteral("red")).toObject();
         QCOMPARE(robot.value(QStringLiteral("frames")).toInt(), 60);
         QVERIFY(robot.value(QStringLiteral("tracked")).toInt() >= 58);
         QVERIFY(tracked.json().value(QStringLiteral("warnings")).toArray().isEmpty());
-        // One metre a second on the circle; the camera's lens is not known here, so only a rough figure can be had.
+        // One metre a second on the circle; the camera's lens is not known here, so only a rough figure can
+        // be had.
         QVERIFY(std::abs(robot.value(QStringLiteral("max_speed_m_s")).toDouble() - 1.0) < 0.1);
         for (const char *smoother : {"savgol", "tracker", "none", "rts"})
-            QCOMPARE(good((QByteArray("track %P run1 --robot red --smoother ") + smoother).constData()).exitStatus, 0);
+            QCOMPARE(
+                good((QByteArray("track %P run1 --robot red --smoother ") + smoother).constData()).exitStatus,
+                0);
 
         aPersonOverrulesTheProgram();
         QCOMPARE(good("list %P --json").json().value(QStringLiteral("trials")).toArray().size(), 1);
-        QCOMPARE(good("show %P run1 --json").json().value(QStringLiteral("team")).toString(), QStringLiteral("Falcon"));
+        QCOMPARE(good("show %P run1 --json").json().value(QStringLiteral("team")).toString(),
+                 QStringLiteral("Falcon"));
         for (const char *format : {"csv", "tum", "json", "tracker"})
-            QCOMPARE(good((QByteArray("export %P run1 -o %/out.txt --force --format ") + format).constData()).exitStatus, 0);
-        const QJsonObject video = good("export %P run1 -o %/run1.mp4 --format video --speed 0.5 --size 640x360 --theme dark --json").json();
+            QCOMPARE(good((QByteArray("export %P run1 -o %/out.txt --force --format ") + format).constData())
+                         .exitStatus,
+                     0);
+        const QJsonObject video =
+            good("export %P run1 -o %/run1.mp4 --format video --speed 0.5 --size 640x360 --theme dark --json")
+                .json();
         QVERIFY(video.value(QStringLiteral("pictures")).toInt() >= 58);
         QVERIFY(QFileInfo(m_folder.filePath(QStringLiteral("run1.mp4"))).size() > 10'000);
         QCOMPARE(good("check %P").exitStatus, 0);
         QCOMPARE(good("snapshot %P run1 -o %/run1.png --size 1000x700").exitStatus, 0);
-        QCOMPARE(good("target tags -o %/tags.pdf --labels O,U,V,D,C --json").json().value(QStringLiteral("sheets")).toInt(), 5);
-        QVERIFY(QDir(m_folder.path()).entryList({QStringLiteral("class.odo-*")}).isEmpty()); // closed to a single file
+        QCOMPARE(good("target tags -o %/tags.pdf --labels O,U,V,D,C --json")
+                     .json()
+                     .value(QStringLiteral("sheets"))
+                     .toInt(),
+                 5);
+        // closed to a single file
+        QVERIFY(QDir(m_folder.path()).entryList({QStringLiteral("class.odo-*")}).isEmpty());
     }
 
     void unequalViewsAreImportedWithAWarning()
     {
-        const ProgramRun shorter = good("import %P --trial uneven --video A=%/a.mkv --video B=%/short.mkv --sync none --json");
+        const ProgramRun shorter =
+            good("import %P --trial uneven --video A=%/a.mkv --video B=%/short.mkv --sync none --json");
         QCOMPARE(shorter.exitStatus, 0);
         QVERIFY2(shorter.err.contains("in common"), shorter.err);
         QVERIFY(!shorter.json().isEmpty()); // the warning did not spoil standard output
-        const ProgramRun slower = good("import %P --trial slower --video A=%/a.mkv --video B=%/slow.mkv --sync none");
+        const ProgramRun slower =
+            good("import %P --trial slower --video A=%/a.mkv --video B=%/slow.mkv --sync none");
         QCOMPARE(slower.exitStatus, 0);
         QVERIFY2(slower.err.contains("frames/s"), slower.err);
         QCOMPARE(good("track %P slower --robot red").exitStatus, 0); // joined by time, not by frame
@@ -229,22 +279,28 @@ private Q_SLOTS:
         const QJsonArray warnings = tracked.json().value(QStringLiteral("warnings")).toArray();
         QCOMPARE(warnings.size(), 1);
         const QString sentence = warnings.first().toString();
-        QVERIFY2(sentence.startsWith(QStringLiteral("robot 'red' in trial 'leaving': no view sees it after 1.2 s")) &&
-                     sentence.contains(QStringLiteral("; move or add a camera so that the whole task is seen")),
-                 qPrintable(sentence));
+        QVERIFY2(
+            sentence.startsWith(
+                QStringLiteral("robot 'red' in trial 'leaving': no view sees it after 1.2 s")) &&
+                sentence.contains(QStringLiteral("; move or add a camera so that the whole task is seen")),
+            qPrintable(sentence));
         QCOMPARE(tracked.err, "odograph: " + sentence.toUtf8() + '\n');
         QCOMPARE(good("show %P leaving --json").json().value(QStringLiteral("warnings")).toArray(), warnings);
 
         QCOMPARE(good("robot add %P dull --colour #b5a898").exitStatus, 0);
         const ProgramRun dull = runProgram(filled(QStringLiteral("track %P leaving --robot dull")));
         QVERIFY2(dull.exitStatus == 1 && dull.err.count('\n') == 1, dull.err);
-        QVERIFY2(dull.err.contains("robot 'dull' in trial 'leaving': its colour #b5a898 is also that of the floor (") &&
-                     dull.err.contains("; put a plate of another colour on it, or tell the colour it really has"),
-                 dull.err);
+        QVERIFY2(
+            dull.err.contains(
+                "robot 'dull' in trial 'leaving': its colour #b5a898 is also that of the floor (") &&
+                dull.err.contains("; put a plate of another colour on it, or tell the colour it really has"),
+            dull.err);
         QCOMPARE(good("robot add %P absent --colour #20c040").exitStatus, 0);
-        const ProgramRun absent = runProgram(filled(QStringLiteral("track %P leaving --robot red --robot absent")));
+        const ProgramRun absent =
+            runProgram(filled(QStringLiteral("track %P leaving --robot red --robot absent")));
         QCOMPARE(absent.exitStatus, 1);
-        QCOMPARE(absent.err, QByteArray("odograph: robot 'absent' in trial 'leaving': the robot was not found in any picture of A; track only the robots that "
+        QCOMPARE(absent.err, QByteArray("odograph: robot 'absent' in trial 'leaving': the robot was not "
+                                        "found in any picture of A; track only the robots that "
                                         "are in the pictures (--robot)\n"));
     }
 
@@ -264,10 +320,13 @@ private Q_SLOTS:
         row("robot add %P blue --colour red", 2, "#rrggbb");
         row("robot add %P blue --colour #0000ff --height tall", 2, "not a length");
         row("robot add %P blue --colour #0000ff --size 26", 2, "AxB");
-        row("robot add %P blue --reference 20", 2, "--reference '20' is not of the form FORWARD,LEFT, two numbers in millimetres");
+        row("robot add %P blue --reference 20", 2,
+            "--reference '20' is not of the form FORWARD,LEFT, two numbers in millimetres");
         row("robot add %P blue --reference 20,x", 2, "two numbers in millimetres");
-        row("robot add %P blue --reference 0,-10001", 1, "its reference point is farther from its centre than 10 m");
-        row("robot add %P blue --height free --reference 1,0", 1, "takes a heading, which is not known where the height changes");
+        row("robot add %P blue --reference 0,-10001", 1,
+            "its reference point is farther from its centre than 10 m");
+        row("robot add %P blue --height free --reference 1,0", 1,
+            "takes a heading, which is not known where the height changes");
         row("robot add %P blue --colour #0000ff --pick %/a.mkv", 2, "two colours");
         row("robot add %P blue --pick %/a.mkv", 2, "--pick needs --box");
         row("robot add %P blue --pick %/a.mkv --box 1,2,3", 2, "not of the form x,y,w,h");
@@ -314,8 +373,10 @@ private Q_SLOTS:
         row("import %P --trial run2 --video A=%/a.mkv --video A=%/b.mkv", 1, "two videos");
         row("import %P --trial run2 --video A=%/a.mkv --video B=%/b.mkv --sync 100", 1, "no time in common");
         row("import %P --trial run2 --video A=%/a.mkv --sync soon", 2, "--sync");
-        row("import %P --trial run2 --video A=%/a.mkv --sync 1e300", 2, "--sync takes seconds from -3600 to 3600");
-        row("import %P --trial run2 --video A=%/a.mkv --video B=%/b.mkv --sync=-3601", 2, "--sync takes seconds from -3600 to 3600");
+        row("import %P --trial run2 --video A=%/a.mkv --sync 1e300", 2,
+            "--sync takes seconds from -3600 to 3600");
+        row("import %P --trial run2 --video A=%/a.mkv --video B=%/b.mkv --sync=-3601", 2,
+            "--sync takes seconds from -3600 to 3600");
         row("compare %P run1 run1 --align 1e300", 2, "--align takes seconds from -3600 to 3600");
         row("layout transform %P floor --turn 1e300", 2, "--turn takes degrees from -360 to 360");
         row("flag %P run1 --time 1e300 --spike", 2, "--time takes seconds");
@@ -348,7 +409,8 @@ private Q_SLOTS:
         row("export %P run1 -o %/nowhere/out.csv", 1, "nowhere");
         row("export %P run1 -o %/out.csv --format xls", 2, "--format");
         for (const char *format : {"csv", "json", "tum", "tracker", "video"})
-            row((QByteArray("export %P run1 -o %/new.odo --format ") + format).constData(), 2, "a name ending in .odo is for a project; choose another name");
+            row((QByteArray("export %P run1 -o %/new.odo --format ") + format).constData(), 2,
+                "a name ending in .odo is for a project; choose another name");
         row("snapshot %P run1 -o %/new.ODO", 2, "a name ending in .odo is for a project");
         row("layout export %P floor %/new.odo", 2, "a name ending in .odo is for a project");
         row("export %P run1 -o - --format video", 2, "a video needs a file");
@@ -379,11 +441,15 @@ private Q_SLOTS:
     void answersGiveWhatIsStored()
     {
         const QString own = path("own.odo");
-        const auto answer = [](const QStringList &arguments) { return QString::fromUtf8(runProgram(arguments).out).trimmed(); };
+        const auto answer = [](const QStringList &arguments) {
+            return QString::fromUtf8(runProgram(arguments).out).trimmed();
+        };
         QCOMPARE(runProgram({u"new"_s, own}).exitStatus, 0);
-        QCOMPARE(answer({u"robot"_s, u"add"_s, own, u"  trim me  "_s, u"--colour"_s, u"#0000ff"_s}), u"Robot trim me added, colour #0000ff."_s);
+        QCOMPARE(answer({u"robot"_s, u"add"_s, own, u"  trim me  "_s, u"--colour"_s, u"#0000ff"_s}),
+                 u"Robot trim me added, colour #0000ff."_s);
         QCOMPARE(answer({u"camera"_s, u"add"_s, own, u" A "_s}), u"Camera A added."_s);
-        QCOMPARE(answer({u"layout"_s, u"add"_s, own, u" floor "_s, path("layout.csv")}), u"Layout floor has 4 markers."_s);
+        QCOMPARE(answer({u"layout"_s, u"add"_s, own, u" floor "_s, path("layout.csv")}),
+                 u"Layout floor has 4 markers."_s);
         QVERIFY(QDir().mkpath(path("own.media")));
         QFile stray(path("own.media/stray.txt"));
         QVERIFY(stray.open(QIODevice::WriteOnly));
@@ -396,8 +462,11 @@ private Q_SLOTS:
     void anExportToStandardOutputIsTheFile()
     {
         for (const char *format : {"csv", "json", "tum", "tracker"}) {
-            QCOMPARE(good((QByteArray("export %P run1 --force -o %/out.txt --format ") + format).constData()).exitStatus, 0);
-            const ProgramRun printed = good((QByteArray("export %P run1 -o - --format ") + format).constData());
+            QCOMPARE(good((QByteArray("export %P run1 --force -o %/out.txt --format ") + format).constData())
+                         .exitStatus,
+                     0);
+            const ProgramRun printed =
+                good((QByteArray("export %P run1 -o - --format ") + format).constData());
             QCOMPARE(printed.exitStatus, 0);
             QVERIFY2(printed.err.isEmpty(), printed.err);
             QFile file(path("out.txt"));
@@ -436,7 +505,8 @@ private Q_SLOTS:
         QCOMPARE(file.write(QByteArray::fromHex("000f4240")), 4);
         file.close();
         const QByteArray before = fileHash(newer);
-        for (const char *line : {"list %/newer.odo", "track %/newer.odo run1", "robot add %/newer.odo x --colour #000001"}) {
+        for (const char *line :
+             {"list %/newer.odo", "track %/newer.odo run1", "robot add %/newer.odo x --colour #000001"}) {
             const ProgramRun run = runProgram(filled(QString::fromLatin1(line)));
             QCOMPARE(run.exitStatus, 1);
             QVERIFY2(run.err.contains("newer"), run.err);
@@ -446,16 +516,19 @@ private Q_SLOTS:
 
     void aReadOnlyFolderIsSaid()
     {
-        // Rights do not bind root, a file system mounted read-only does; a mount name space of its own keeps it to this
-        // test. Where neither can be had the program cannot be shown a read-only folder.
+        // Rights do not bind root, a file system mounted read-only does; a mount name space of its own keeps
+        // it to this test. Where neither can be had the program cannot be shown a read-only folder.
         const QString folder = path("readonly");
         QVERIFY(QDir().mkpath(folder));
         QVERIFY(QFile::copy(m_project, folder + QStringLiteral("/class.odo")));
         const auto run = [&](const QString &line) {
-            QString call = QStringLiteral("mount --bind \"$0\" \"$0\" && mount -o remount,bind,ro \"$0\" || exit 99; exec ") +
-                           qEnvironmentVariable("ODOGRAPH_PROGRAM") + u' ' + QString(line).replace(QStringLiteral("%R"), folder);
-            return runCommand(QStringLiteral("unshare"),
-                              {QStringLiteral("-m"), QStringLiteral("sh"), QStringLiteral("-c"), call, folder});
+            QString call =
+                QStringLiteral(
+                    "mount --bind \"$0\" \"$0\" && mount -o remount,bind,ro \"$0\" || exit 99; exec ") +
+                qEnvironmentVariable("ODOGRAPH_PROGRAM") + u' ' +
+                QString(line).replace(QStringLiteral("%R"), folder);
+            return runCommand(QStringLiteral("unshare"), {QStringLiteral("-m"), QStringLiteral("sh"),
+                                                          QStringLiteral("-c"), call, folder});
         };
         const ProgramRun list = run(QStringLiteral("list %R/class.odo --json"));
         if (list.exitStatus == 99 || list.exitStatus == -1 || list.err.contains("unshare"))
@@ -463,14 +536,16 @@ private Q_SLOTS:
         QCOMPARE(list.exitStatus, 0); // looking is allowed
         QCOMPARE(list.json().value(QStringLiteral("title")).toString(), QStringLiteral("Lesson"));
         const QByteArray before = fileHash(folder + QStringLiteral("/class.odo"));
-        for (const char *line : {"new %R/other.odo", "robot add %R/class.odo x --colour '#000001'", "track %R/class.odo run1",
-                                 "demo %R/demo", "export %R/class.odo run1 -o %R/out.csv"}) {
+        for (const char *line :
+             {"new %R/other.odo", "robot add %R/class.odo x --colour '#000001'", "track %R/class.odo run1",
+              "demo %R/demo", "export %R/class.odo run1 -o %R/out.csv"}) {
             const ProgramRun refused = run(QString::fromLatin1(line));
             QVERIFY2(refused.exitStatus == 1, line);
             QVERIFY2(refused.err.startsWith("odograph: ") && refused.err.count('\n') == 1, refused.err);
         }
         QCOMPARE(fileHash(folder + QStringLiteral("/class.odo")), before);
-        QCOMPARE(QDir(folder).entryList(QDir::Files | QDir::Hidden), QStringList(QStringLiteral("class.odo")));
+        QCOMPARE(QDir(folder).entryList(QDir::Files | QDir::Hidden),
+                 QStringList(QStringLiteral("class.odo")));
     }
 
     /// Another name would be used in its place.
@@ -486,16 +561,22 @@ private Q_SLOTS:
     {
         QFETCH(QString, arguments);
         const QStringList before = QDir(m_folder.path()).entryList();
-        const ProgramRun run = runCommand(QStringLiteral("bash"), {QStringLiteral("-c"), QStringLiteral("\"$ODOGRAPH_PROGRAM\" ") + arguments.arg(m_folder.path())});
+        const ProgramRun run = runCommand(QStringLiteral("bash"),
+                                          {QStringLiteral("-c"), QStringLiteral("\"$ODOGRAPH_PROGRAM\" ") +
+                                                                     arguments.arg(m_folder.path())});
         QCOMPARE(run.exitStatus, 2);
-        QVERIFY2(run.err.endsWith("': it is not valid UTF-8, so it cannot be used; rename the file or folder\n") && run.err.count('\n') == 1, run.err);
+        QVERIFY2(
+            run.err.endsWith("': it is not valid UTF-8, so it cannot be used; rename the file or folder\n") &&
+                run.err.count('\n') == 1,
+            run.err);
         QVERIFY2(run.err.contains("\\xe9"), run.err);
         QCOMPARE(QDir(m_folder.path()).entryList(), before);
     }
 
     void helpAndVersionAnswer()
     {
-        QCOMPARE(runProgram({QStringLiteral("--version")}).out.trimmed(), QByteArray("odograph " ODOGRAPH_VERSION));
+        QCOMPARE(runProgram({QStringLiteral("--version")}).out.trimmed(),
+                 QByteArray("odograph " ODOGRAPH_VERSION));
         const ProgramRun help = runProgram({QStringLiteral("track"), QStringLiteral("--help")});
         QCOMPARE(help.exitStatus, 0);
         QVERIFY(help.out.contains("--smoother"));

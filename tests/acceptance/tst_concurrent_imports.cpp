@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Imports by two processes at once, of one trial's name and of two names that give one file name: each trial that was acknowledged has its own
-// video, and a refused import leaves nothing. ODOGRAPH_IMPORTS says how many pairs of each; 3 without it.
+// Imports by two processes at once, of one trial's name and of two names that give one file name: each trial
+// that was acknowledged has its own video, and a refused import leaves nothing. ODOGRAPH_IMPORTS says how
+// many pairs of each; 3 without it.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "tests/support/program.h"
@@ -33,7 +34,8 @@ std::unique_ptr<QProcess> begin(const QStringList &arguments)
 Ended end(QProcess &process)
 {
     process.waitForFinished(60'000);
-    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1, process.readAllStandardError()};
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+            process.readAllStandardError()};
 }
 
 } // namespace
@@ -79,7 +81,8 @@ void TestConcurrentImports::importAtOnce(const QString &first, const QString &se
     const QString project = place.filePath(QStringLiteral("p.odo"));
     QCOMPARE(runProgram({QStringLiteral("new"), project}).exitStatus, 0);
     const auto import = [&](const QString &trial, const char *video) {
-        return begin({QStringLiteral("import"), project, QStringLiteral("--trial"), trial, QStringLiteral("--video"), QStringLiteral("A=") + file(video)});
+        return begin({QStringLiteral("import"), project, QStringLiteral("--trial"), trial,
+                      QStringLiteral("--video"), QStringLiteral("A=") + file(video)});
     };
     const auto one = import(first, "one.mkv"), two = import(second, "two.mkv");
     const std::array ended{end(*one), end(*two)};
@@ -92,14 +95,18 @@ void TestConcurrentImports::importAtOnce(const QString &first, const QString &se
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (ended[i].status != 0) {
             QCOMPARE(ended[i].status, 1);
-            QVERIFY2(ended[i].error.contains("the project has a trial of that name") || ended[i].error.contains("already"), ended[i].error);
+            QVERIFY2(ended[i].error.contains("the project has a trial of that name") ||
+                         ended[i].error.contains("already"),
+                     ended[i].error);
             continue;
         }
-        const auto recording = (*opened)->trials().recordings((*opened)->trials().find(names[i].toStdString())->id)->front();
+        const auto recording =
+            (*opened)->trials().recordings((*opened)->trials().find(names[i].toStdString())->id)->front();
         QCOMPARE(QByteArray::fromStdString(recording.sha256), m_hashes[i].toHex());
         QCOMPARE(fileHash(QString::fromStdString((*opened)->resolve(recording).string())), m_hashes[i]);
     }
-    QCOMPARE(QDir(place.filePath(QStringLiteral("p.media"))).entryList(QDir::Files | QDir::Hidden).size(), done);
+    QCOMPARE(QDir(place.filePath(QStringLiteral("p.media"))).entryList(QDir::Files | QDir::Hidden).size(),
+             done);
     QVERIFY((*opened)->check(true)->empty());
 }
 

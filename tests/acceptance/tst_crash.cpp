@@ -34,22 +34,29 @@ private Q_SLOTS:
             setrlimit(RLIMIT_CORE, &none);
         });
         program.start(qEnvironmentVariable("ODOGRAPH_PROGRAM"),
-                      {QStringLiteral("record"), project, QStringLiteral("--trial"), QStringLiteral("run"), QStringLiteral("--camera"),
-                       QStringLiteral("A=sim:A"), QStringLiteral("--seconds"), QStringLiteral("600")});
+                      {QStringLiteral("record"), project, QStringLiteral("--trial"), QStringLiteral("run"),
+                       QStringLiteral("--camera"), QStringLiteral("A=sim:A"), QStringLiteral("--seconds"),
+                       QStringLiteral("600")});
         QVERIFY(program.waitForStarted());
         const QString video = folder.filePath(QStringLiteral("p.media/run_A.mkv"));
-        QVERIFY(QTest::qWaitFor([&] { return QFileInfo(video).size() > 3'000'000 || program.state() == QProcess::NotRunning; }, 60'000));
+        QVERIFY(QTest::qWaitFor(
+            [&] { return QFileInfo(video).size() > 3'000'000 || program.state() == QProcess::NotRunning; },
+            60'000));
         ::kill(static_cast<pid_t>(program.processId()), SIGSEGV);
         QVERIFY(program.waitForFinished());
         QCOMPARE(program.exitStatus(), QProcess::CrashExit);
 
-        const std::vector<CrashReport> reports = newCrashReports(folder.filePath(QStringLiteral("state/odograph")).toStdString());
+        const std::vector<CrashReport> reports =
+            newCrashReports(folder.filePath(QStringLiteral("state/odograph")).toStdString());
         QCOMPARE(reports.size(), std::size_t(1));
         QCOMPARE(reports[0].signal, std::string("SIGSEGV"));
         QCOMPARE(reports[0].project, std::filesystem::path(project.toStdString()));
         const ProgramRun kept = runProgram({QStringLiteral("record"), project, QStringLiteral("--recover")});
-        QVERIFY2(kept.exitStatus == 0 && kept.err.contains("trial 'run': its recording was cut off"), (kept.out + kept.err).constData());
-        const QJsonArray trials = runProgram({QStringLiteral("list"), project, QStringLiteral("--json")}).json()[QStringLiteral("trials")].toArray();
+        QVERIFY2(kept.exitStatus == 0 && kept.err.contains("trial 'run': its recording was cut off"),
+                 (kept.out + kept.err).constData());
+        const QJsonArray trials = runProgram({QStringLiteral("list"), project, QStringLiteral("--json")})
+                                      .json()[QStringLiteral("trials")]
+                                      .toArray();
         QCOMPARE(trials.size(), 1);
         QVERIFY(trials[0].toObject()[QStringLiteral("duration_s")].toDouble() > 0);
         QCOMPARE(runProgram({QStringLiteral("check"), project}).exitStatus, 0);

@@ -42,8 +42,8 @@ class TestDemo : public QObject
         return truth;
     }
 
-    /// When the truth passes a gate from left to right; straight and even between two frames, which errs by some
-    /// 0.5 ms at most (4 m/s² for 33 ms at 1 m/s).
+    /// When the truth passes a gate from left to right; straight and even between two frames, which errs by
+    /// some 0.5 ms at most (4 m/s² for 33 ms at 1 m/s).
     static QList<double> passagesOf(const QJsonObject &gate, const QList<Truth> &truth)
     {
         const auto point = [&](const char *key) {
@@ -85,25 +85,30 @@ private Q_SLOTS:
     void everyTrialTracksWithinTheBounds()
     {
         for (const QString &trial : m_trials) {
-            const ProgramRun track = runProgram({QStringLiteral("track"), m_project, trial, QStringLiteral("--json")});
+            const ProgramRun track =
+                runProgram({QStringLiteral("track"), m_project, trial, QStringLiteral("--json")});
             QVERIFY2(track.exitStatus == 0, track.err);
-            const ProgramRun show = runProgram({QStringLiteral("show"), m_project, trial, QStringLiteral("--json")});
+            const ProgramRun show =
+                runProgram({QStringLiteral("show"), m_project, trial, QStringLiteral("--json")});
             QVERIFY2(show.exitStatus == 0, show.err);
             const QJsonObject robots = show.json().value(QStringLiteral("robots")).toObject();
             QVERIFY(!robots.isEmpty());
             for (const QString &robot : robots.keys()) {
-                const QJsonObject truth = robots.value(robot).toObject().value(QStringLiteral("truth")).toObject();
+                const QJsonObject truth =
+                    robots.value(robot).toObject().value(QStringLiteral("truth")).toObject();
                 const double compared = truth.value(QStringLiteral("compared")).toDouble();
                 const double positionMm = truth.value(QStringLiteral("position_rms_mm")).toDouble(1e9);
                 const double velocityMmS = truth.value(QStringLiteral("velocity_rms_mm_s")).toDouble(1e9);
-                qInfo("%s / %s: %.0f samples, position %.2f mm, velocity %.1f mm/s, acceleration %.0f mm/s2; inside 95 %%: x "
+                qInfo("%s / %s: %.0f samples, position %.2f mm, velocity %.1f mm/s, acceleration %.0f mm/s2; "
+                      "inside 95 %%: x "
                       "%.3f y %.3f speed %.3f",
                       qPrintable(trial), qPrintable(robot), compared, positionMm, velocityMmS,
                       truth.value(QStringLiteral("acceleration_rms_mm_s2")).toDouble(),
                       truth.value(QStringLiteral("inside_95_x")).toDouble(),
                       truth.value(QStringLiteral("inside_95_y")).toDouble(),
                       truth.value(QStringLiteral("inside_95_speed")).toDouble());
-                // At least 95 % of the frames must carry a figure, or a good RMS could be had by leaving out the rest.
+                // At least 95 % of the frames must carry a figure, or a good RMS could be had by leaving out
+                // the rest.
                 const double frames = track.json()
                                           .value(QStringLiteral("robots"))
                                           .toObject()
@@ -120,12 +125,19 @@ private Q_SLOTS:
 
     void theRoverWithoutAColourIsMeasured()
     {
-        const ProgramRun track = runProgram({QStringLiteral("track"), m_project, QStringLiteral("circle with rover"), QStringLiteral("--json")});
+        const ProgramRun track = runProgram({QStringLiteral("track"), m_project,
+                                             QStringLiteral("circle with rover"), QStringLiteral("--json")});
         QVERIFY2(track.exitStatus == 0, track.err);
-        const QJsonObject tracked = track.json().value(QStringLiteral("robots")).toObject().value(QStringLiteral("Rover 4")).toObject();
+        const QJsonObject tracked = track.json()
+                                        .value(QStringLiteral("robots"))
+                                        .toObject()
+                                        .value(QStringLiteral("Rover 4"))
+                                        .toObject();
         QCOMPARE(tracked.value(QStringLiteral("look")).toString(), QStringLiteral("any"));
-        QCOMPARE(tracked.value(QStringLiteral("tracked")).toDouble(), tracked.value(QStringLiteral("frames")).toDouble());
-        const QJsonObject rover = runProgram({QStringLiteral("show"), m_project, QStringLiteral("circle with rover"), QStringLiteral("--json")})
+        QCOMPARE(tracked.value(QStringLiteral("tracked")).toDouble(),
+                 tracked.value(QStringLiteral("frames")).toDouble());
+        const QJsonObject rover = runProgram({QStringLiteral("show"), m_project,
+                                              QStringLiteral("circle with rover"), QStringLiteral("--json")})
                                       .json()
                                       .value(QStringLiteral("robots"))
                                       .toObject()
@@ -134,7 +146,8 @@ private Q_SLOTS:
         const QJsonObject truth = rover.value(QStringLiteral("truth")).toObject();
         // What docs/accuracy.md demands of robots of any look, and has of all but the hardest scenes.
         QVERIFY(truth.value(QStringLiteral("position_rms_mm")).toDouble(1e9) <= 5);
-        QVERIFY(truth.value(QStringLiteral("inside_95_x")).toDouble() >= 0.9 && truth.value(QStringLiteral("inside_95_y")).toDouble() >= 0.9);
+        QVERIFY(truth.value(QStringLiteral("inside_95_x")).toDouble() >= 0.9 &&
+                truth.value(QStringLiteral("inside_95_y")).toDouble() >= 0.9);
         QVERIFY(rover.value(QStringLiteral("spikes")).toArray().isEmpty());
     }
 
@@ -165,26 +178,31 @@ private Q_SLOTS:
     void timesAtTheGatesAreThoseOfTheTruth()
     {
         const QJsonArray tasks =
-            runProgram({QStringLiteral("task"), QStringLiteral("list"), m_project, QStringLiteral("--json")}).json()
-                .value(QStringLiteral("tasks")).toArray();
+            runProgram({QStringLiteral("task"), QStringLiteral("list"), m_project, QStringLiteral("--json")})
+                .json()
+                .value(QStringLiteral("tasks"))
+                .toArray();
         QVERIFY(tasks.size() >= 4);
         int checked = 0;
         for (const QString &trial : m_trials) {
-            const QJsonObject shown = runProgram({QStringLiteral("show"), m_project, trial, QStringLiteral("--json")}).json();
+            const QJsonObject shown =
+                runProgram({QStringLiteral("show"), m_project, trial, QStringLiteral("--json")}).json();
             const QString name = shown.value(QStringLiteral("task")).toString();
             const auto task = std::find_if(tasks.begin(), tasks.end(), [&](const QJsonValue &one) {
                 return one.toObject().value(QStringLiteral("name")).toString() == name;
             });
             QVERIFY2(task != tasks.end(), qPrintable(name));
             const QString robot = shown.value(QStringLiteral("robots")).toObject().keys().first();
-            const QJsonObject measured = shown.value(QStringLiteral("robots")).toObject().value(robot).toObject();
+            const QJsonObject measured =
+                shown.value(QStringLiteral("robots")).toObject().value(robot).toObject();
             const QList<Truth> truth = truthOf(trial, robot);
             QVERIFY(measured.value(QStringLiteral("laps")).toArray().size() >= 1);
             for (const QJsonValue &gate : task->toObject().value(QStringLiteral("gates")).toArray()) {
                 const QList<double> wanted = passagesOf(gate.toObject(), truth);
                 QList<QJsonObject> found;
                 for (const QJsonValue &passage : measured.value(QStringLiteral("gates")).toArray()) {
-                    if (passage.toObject().value(QStringLiteral("name")) == gate.toObject().value(QStringLiteral("name")))
+                    if (passage.toObject().value(QStringLiteral("name")) ==
+                        gate.toObject().value(QStringLiteral("name")))
                         found << passage.toObject();
                 }
                 QCOMPARE(found.size(), wanted.size());
@@ -192,7 +210,8 @@ private Q_SLOTS:
                     const double error = found[i].value(QStringLiteral("time_s")).toDouble() - wanted[i];
                     const double sigma = found[i].value(QStringLiteral("sigma_s")).toDouble();
                     qInfo("%s: gate %s at %.4f s, error %.2f ms, stated %.2f ms", qPrintable(trial),
-                          qPrintable(found[i].value(QStringLiteral("name")).toString()), wanted[i], 1e3 * error, 1e3 * sigma);
+                          qPrintable(found[i].value(QStringLiteral("name")).toString()), wanted[i],
+                          1e3 * error, 1e3 * sigma);
                     QVERIFY(std::abs(error) < 0.005 && std::abs(error) < 4 * sigma);
                     ++checked;
                 }
@@ -215,7 +234,9 @@ private Q_SLOTS:
                          differences = answer.value(QStringLiteral("delta_t_s")).toArray();
         QCOMPARE(distances.size(), differences.size());
         // Round the task's eight the laps take 5.2 s and 6.0 s, half a lap half as long.
-        const auto x = [](double angle) { return QPointF(1.05 * std::sin(angle), 0.6 * std::sin(2 * angle)); };
+        const auto x = [](double angle) {
+            return QPointF(1.05 * std::sin(angle), 0.6 * std::sin(2 * angle));
+        };
         double lapM = 0;
         for (int i = 0; i < 10000; ++i) {
             const QPointF step = x((i + 1) * M_PI / 5000) - x(i * M_PI / 5000);
@@ -224,7 +245,8 @@ private Q_SLOTS:
         QVERIFY(distances.last().toDouble() > lapM);
         for (qsizetype i = 0; i < distances.size(); ++i) {
             for (const double laps : {0.5, 1.0}) {
-                // A station is off by 5 mm at most, where 10 mm are 1 ms of difference; the gates are known to 0.5 ms.
+                // A station is off by 5 mm at most, where 10 mm are 1 ms of difference; the gates are known
+                // to 0.5 ms.
                 if (std::abs(distances[i].toDouble() - laps * lapM) <= 0.005)
                     QVERIFY2(std::abs(differences[i].toDouble() - laps * 0.8) < 0.004,
                              qPrintable(QString::number(differences[i].toDouble())));
@@ -234,21 +256,26 @@ private Q_SLOTS:
         const QJsonArray metrics = answer.value(QStringLiteral("metrics")).toArray();
         for (const QJsonValue &each : metrics) {
             const QJsonObject metric = each.toObject();
-            QCOMPARE(metric.keys(), QStringList({QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("difference"),
-                                                 QStringLiteral("name"), QStringLiteral("sigma"),
-                                                 QStringLiteral("significant"), QStringLiteral("unit")}));
+            QCOMPARE(metric.keys(),
+                     QStringList({QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("difference"),
+                                  QStringLiteral("name"), QStringLiteral("sigma"),
+                                  QStringLiteral("significant"), QStringLiteral("unit")}));
             const auto at = [&](const char *key) { return metric.value(QLatin1String(key)).toDouble(1e9); };
             QVERIFY(std::abs(at("difference") - (at("b") - at("a"))) < 1e-9);
-            QCOMPARE(metric.value(QStringLiteral("significant")).toBool(), std::abs(at("difference")) > 1.96 * at("sigma"));
+            QCOMPARE(metric.value(QStringLiteral("significant")).toBool(),
+                     std::abs(at("difference")) > 1.96 * at("sigma"));
             if (metric.value(QStringLiteral("significant")).toBool())
                 significant.insert(metric.value(QStringLiteral("name")).toString());
         }
-        QVERIFY(significant.contains(QStringLiteral("best_lap")) && significant.contains(QStringLiteral("max_speed")));
-        QVERIFY(!significant.contains(QStringLiteral("laps")) && !significant.contains(QStringLiteral("duration")));
+        QVERIFY(significant.contains(QStringLiteral("best_lap")) &&
+                significant.contains(QStringLiteral("max_speed")));
+        QVERIFY(!significant.contains(QStringLiteral("laps")) &&
+                !significant.contains(QStringLiteral("duration")));
 
         const ProgramRun turned = runProgram({call[0], call[1], call[3], call[2], QStringLiteral("--align"),
                                               QStringLiteral("motion_onset"), QStringLiteral("--json")});
-        QCOMPARE(turned.json().value(QStringLiteral("aligned_by")).toString(), QStringLiteral("motion_onset"));
+        QCOMPARE(turned.json().value(QStringLiteral("aligned_by")).toString(),
+                 QStringLiteral("motion_onset"));
         QVERIFY(turned.json().value(QStringLiteral("delta_t_s")).toArray().last().toDouble() < -0.8);
         QVERIFY(runProgram(call).out.contains("within the error"));
     }
@@ -258,15 +285,20 @@ private Q_SLOTS:
         const auto error = [&](const QStringList &arguments, int status) {
             const ProgramRun run = runProgram(QStringList{QStringLiteral("compare"), m_project} + arguments);
             const bool isOneLine = run.out.isEmpty() && run.err.count('\n') == 1;
-            return run.exitStatus == status && isOneLine ? QString::fromUtf8(run.err)
-                                                         : QStringLiteral("exit status %1").arg(run.exitStatus);
+            return run.exitStatus == status && isOneLine
+                       ? QString::fromUtf8(run.err)
+                       : QStringLiteral("exit status %1").arg(run.exitStatus);
         };
-        const QString eight = QStringLiteral("figure-eight"), other = QStringLiteral("figure-eight with reflections");
-        QVERIFY(error({eight, eight}, 1).contains(QLatin1String("a run cannot be compared with itself; choose another one")));
+        const QString eight = QStringLiteral("figure-eight"),
+                      other = QStringLiteral("figure-eight with reflections");
+        QVERIFY(error({eight, eight}, 1)
+                    .contains(QLatin1String("a run cannot be compared with itself; choose another one")));
         QVERIFY(error({eight, QStringLiteral("nothing")}, 1).contains(QLatin1String("nothing")));
         QVERIFY(error({eight, other, QStringLiteral("--robot"), QStringLiteral("Pink")}, 1)
-                    .contains(QLatin1String("robot 'Pink' was not tracked in it, but 'Green 3'; track it, or choose another")));
-        QVERIFY(error({eight, other, QStringLiteral("--align"), QStringLiteral("north")}, 2).contains(QLatin1String("--align is auto")));
+                    .contains(QLatin1String(
+                        "robot 'Pink' was not tracked in it, but 'Green 3'; track it, or choose another")));
+        QVERIFY(error({eight, other, QStringLiteral("--align"), QStringLiteral("north")}, 2)
+                    .contains(QLatin1String("--align is auto")));
         QVERIFY(error({eight, other, QStringLiteral("-o"), QStringLiteral("/nowhere/report.pdf")}, 1)
                     .contains(QLatin1String("there is no folder")));
         QVERIFY(error({eight}, 2).contains(QLatin1String("compare")));
@@ -276,19 +308,24 @@ private Q_SLOTS:
     {
         // Told when the demo was made: the truth. 3 ms is a tenth of a frame, 3 mm at 1 m/s.
         for (const QString &trial : {QStringLiteral("figure-eight"), QStringLiteral("stop-and-go")}) {
-            const QJsonObject told = runProgram({QStringLiteral("show"), m_project, trial, QStringLiteral("--json")}).json();
+            const QJsonObject told =
+                runProgram({QStringLiteral("show"), m_project, trial, QStringLiteral("--json")}).json();
             const QString robot = told.value(QStringLiteral("robots")).toObject().keys().first();
-            QStringList call{QStringLiteral("import"), m_project, QStringLiteral("--trial"), trial + QStringLiteral(" again"),
-                             QStringLiteral("--robot"), robot, QStringLiteral("--sync"), QStringLiteral("auto"),
+            QStringList call{QStringLiteral("import"),  m_project,
+                             QStringLiteral("--trial"), trial + QStringLiteral(" again"),
+                             QStringLiteral("--robot"), robot,
+                             QStringLiteral("--sync"),  QStringLiteral("auto"),
                              QStringLiteral("--json")};
             for (const QString &camera : {QStringLiteral("A"), QStringLiteral("B")})
                 call << QStringLiteral("--video")
-                     << camera + u'=' + m_folder.filePath(QStringLiteral("demo.media/%1_%2.mkv").arg(trial, camera));
+                     << camera + u'=' +
+                            m_folder.filePath(QStringLiteral("demo.media/%1_%2.mkv").arg(trial, camera));
             const ProgramRun run = runProgram(call);
             QVERIFY2(run.exitStatus == 0, run.err);
             const QJsonObject sync = run.json().value(QStringLiteral("sync")).toObject();
             QCOMPARE(sync.value(QStringLiteral("method")).toString(), QStringLiteral("auto"));
-            const double truth = told.value(QStringLiteral("sync")).toObject().value(QStringLiteral("offset_s")).toDouble();
+            const double truth =
+                told.value(QStringLiteral("sync")).toObject().value(QStringLiteral("offset_s")).toDouble();
             const double found = sync.value(QStringLiteral("offset_s")).toDouble(1e9);
             qInfo("%s: offset %.4f s, truth %.4f s", qPrintable(trial), found, truth);
             QVERIFY(std::abs(found - truth) <= 0.003);
@@ -298,25 +335,31 @@ private Q_SLOTS:
     void exportHasARowForEachFrame()
     {
         const QString file = m_folder.filePath(QStringLiteral("run.csv"));
-        const ProgramRun run = runProgram({QStringLiteral("export"), m_project, m_trials.first(), QStringLiteral("-o"), file});
+        const ProgramRun run =
+            runProgram({QStringLiteral("export"), m_project, m_trials.first(), QStringLiteral("-o"), file});
         QVERIFY2(run.exitStatus == 0, run.err);
         QFile csv(file);
         QVERIFY(csv.open(QIODevice::ReadOnly));
         const QList<QByteArray> lines = csv.readAll().trimmed().split('\n');
-        QCOMPARE(lines.first(), QByteArray("t_s,x_mm,y_mm,vx_mm_s,vy_mm_s,speed_mm_s,ax_mm_s2,ay_mm_s2,accel_mm_s2,sigma_x_mm,"
-                                           "sigma_y_mm,sigma_speed_mm_s,sigma_accel_mm_s2,raw_x_mm,raw_y_mm,views,flags"));
-        const ProgramRun show = runProgram({QStringLiteral("show"), m_project, m_trials.first(), QStringLiteral("--json")});
+        QCOMPARE(
+            lines.first(),
+            QByteArray("t_s,x_mm,y_mm,vx_mm_s,vy_mm_s,speed_mm_s,ax_mm_s2,ay_mm_s2,accel_mm_s2,sigma_x_mm,"
+                       "sigma_y_mm,sigma_speed_mm_s,sigma_accel_mm_s2,raw_x_mm,raw_y_mm,views,flags"));
+        const ProgramRun show =
+            runProgram({QStringLiteral("show"), m_project, m_trials.first(), QStringLiteral("--json")});
         const QJsonObject views = show.json().value(QStringLiteral("views")).toObject();
-        QCOMPARE(lines.size() - 1, views.value(QStringLiteral("A")).toObject().value(QStringLiteral("frames")).toInt());
+        QCOMPARE(lines.size() - 1,
+                 views.value(QStringLiteral("A")).toObject().value(QStringLiteral("frames")).toInt());
     }
 
     void snapshotsHaveTheSizeAskedFor()
     {
-        for (const QString &mode : {QStringLiteral("review"), QStringLiteral("compare"), QStringLiteral("history"), QStringLiteral("testbed")}) {
+        for (const QString &mode : {QStringLiteral("review"), QStringLiteral("compare"),
+                                    QStringLiteral("history"), QStringLiteral("testbed")}) {
             const QString file = m_folder.filePath(mode + QStringLiteral(".png"));
-            const ProgramRun run = runProgram({QStringLiteral("snapshot"), m_project, m_trials.first(), QStringLiteral("-o"), file,
-                                               QStringLiteral("--mode"), mode, QStringLiteral("--size"),
-                                               QStringLiteral("1366x768")});
+            const ProgramRun run = runProgram({QStringLiteral("snapshot"), m_project, m_trials.first(),
+                                               QStringLiteral("-o"), file, QStringLiteral("--mode"), mode,
+                                               QStringLiteral("--size"), QStringLiteral("1366x768")});
             QVERIFY2(run.exitStatus == 0, run.err);
             QCOMPARE(QImage(file).size(), QSize(1366, 768));
         }
@@ -329,7 +372,8 @@ private Q_SLOTS:
         QCOMPARE(sound.json().value(QStringLiteral("ok")).toBool(), true);
 
         const QDir media(m_folder.filePath(QStringLiteral("demo.media")));
-        const QString video = media.filePath(media.entryList(QDir::Files).first()), elsewhere = m_folder.filePath(QStringLiteral("elsewhere.mkv"));
+        const QString video = media.filePath(media.entryList(QDir::Files).first()),
+                      elsewhere = m_folder.filePath(QStringLiteral("elsewhere.mkv"));
         QVERIFY(QFile::rename(video, elsewhere));
         const ProgramRun lost = runProgram({QStringLiteral("check"), m_project, QStringLiteral("--json")});
         QVERIFY(QFile::rename(elsewhere, video));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The demo lesson is made by the program. The tests that begin with it take a copy (tests/support/demo_lesson.h).
+// The demo lesson is made by the program. The tests that begin with it take a copy
+// (tests/support/demo_lesson.h).
 #include "tests/support/program.h"
 #include "tests/support/registered_test.h"
 

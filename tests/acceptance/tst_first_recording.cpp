@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What somebody tries first with the demo lesson: a team's robot is recorded before the simulated cameras, which show it, and tracked.
-#include "core/simulation/demo_robots.h"
+// What somebody tries first with the demo lesson: a team's robot is recorded before the simulated cameras,
+// which show it, and tracked.
+#include "core/simulation/demo_testbed.h"
 #include "tests/support/demo_lesson.h"
 #include "tests/support/program.h"
 #include "tests/support/registered_test.h"
@@ -22,8 +23,9 @@ struct Place
     Eigen::Vector2d positionM;
 };
 
-/// How far the places are from where a circling robot is, at most, and the mean of their squares. The recording begins at an unknown
-/// time of the scene, which is the one at which they fit best: the program starts with the scene, so within its first seconds.
+/// How far the places are from where a circling robot is, at most, and the mean of their squares. The
+/// recording begins at an unknown time of the scene, which is the one at which they fit best: the program
+/// starts with the scene, so within its first seconds.
 struct Errors
 {
     double worstM = 1e9, rmsM = 1e9;
@@ -74,8 +76,11 @@ void TestFirstRecording::initTestCase()
 /// What went wrong, or nothing.
 QByteArray TestFirstRecording::record(const QString &trial, const QStringList &robots) const
 {
-    QStringList call{QStringLiteral("record"), project(), QStringLiteral("--trial"), trial, QStringLiteral("--camera"), QStringLiteral("A=sim:A"),
-                     QStringLiteral("--camera"), QStringLiteral("B=sim:B"), QStringLiteral("--seconds"), QStringLiteral("5")};
+    QStringList call{QStringLiteral("record"),    project(),
+                     QStringLiteral("--trial"),   trial,
+                     QStringLiteral("--camera"),  QStringLiteral("A=sim:A"),
+                     QStringLiteral("--camera"),  QStringLiteral("B=sim:B"),
+                     QStringLiteral("--seconds"), QStringLiteral("5")};
     for (const QString &robot : robots)
         call << QStringLiteral("--robot") << robot;
     const ProgramRun run = runProgram(call);
@@ -86,7 +91,8 @@ QByteArray TestFirstRecording::record(const QString &trial, const QStringList &r
 std::vector<Place> TestFirstRecording::placesOf(const QString &trial, const QString &robot) const
 {
     const QString table = m_folder.filePath(QStringLiteral("run.csv"));
-    const ProgramRun run = runProgram({QStringLiteral("export"), project(), trial, QStringLiteral("-o"), table, QStringLiteral("--robot"), robot});
+    const ProgramRun run = runProgram({QStringLiteral("export"), project(), trial, QStringLiteral("-o"),
+                                       table, QStringLiteral("--robot"), robot});
     QFile file(table);
     std::vector<Place> places;
     if (run.exitStatus != 0 || !file.open(QIODevice::ReadOnly))
@@ -96,7 +102,8 @@ std::vector<Place> TestFirstRecording::placesOf(const QString &trial, const QStr
     while (!file.atEnd()) {
         const QList<QByteArray> cells = file.readLine().trimmed().split(',');
         if (!cells[x].isEmpty())
-            places.push_back({cells[0].toDouble(), Eigen::Vector2d(cells[x].toDouble(), cells[y].toDouble()) / 1000});
+            places.push_back(
+                {cells[0].toDouble(), Eigen::Vector2d(cells[x].toDouble(), cells[y].toDouble()) / 1000});
     }
     return places;
 }
@@ -105,7 +112,9 @@ void TestFirstRecording::theRobotsThatAreUpAreFound_data()
 {
     QTest::addColumn<QStringList>("named");
     QTest::addColumn<QStringList>("robots");
-    const auto row = [](const char *name, const QStringList &robots) { QTest::newRow(name) << robots << robots; };
+    const auto row = [](const char *name, const QStringList &robots) {
+        QTest::newRow(name) << robots << robots;
+    };
     row("Falcon", {QStringLiteral("Red 2")});
     row("Heron", {QStringLiteral("Rover 4")});
     if (!qEnvironmentVariableIsSet("ODOGRAPH_ALL_TEAMS"))
@@ -113,7 +122,10 @@ void TestFirstRecording::theRobotsThatAreUpAreFound_data()
     row("Lynx", {QStringLiteral("Green 3")});
     row("Otter", {QStringLiteral("Blue 1")});
     row("two at once", {QStringLiteral("Rover 4"), QStringLiteral("Green 3")});
-    QTest::newRow("nobody: all the project has") << QStringList() << QStringList{QStringLiteral("Red 2"), QStringLiteral("Blue 1"), QStringLiteral("Rover 4"), QStringLiteral("Green 3")};
+    QTest::newRow("nobody: all the project has")
+        << QStringList()
+        << QStringList{QStringLiteral("Red 2"), QStringLiteral("Blue 1"), QStringLiteral("Rover 4"),
+                       QStringLiteral("Green 3")};
 }
 
 void TestFirstRecording::theRobotsThatAreUpAreFound()
@@ -123,15 +135,19 @@ void TestFirstRecording::theRobotsThatAreUpAreFound()
     const QString trial = QStringLiteral("first of ") + QString::fromUtf8(QTest::currentDataTag());
     const QByteArray problem = record(trial, named);
     QVERIFY2(problem.isEmpty(), problem);
-    const ProgramRun track = runProgram({QStringLiteral("track"), project(), trial, QStringLiteral("--json")});
+    const ProgramRun track =
+        runProgram({QStringLiteral("track"), project(), trial, QStringLiteral("--json")});
     QVERIFY2(track.exitStatus == 0, track.err);
-    const std::vector<SimulatedRobot> shown = circlingRobots(std::vector<RobotAppearance>(std::size_t(robots.size())));
+    const std::vector<SimulatedRobot> shown =
+        circlingRobots(std::vector<RobotAppearance>(std::size_t(robots.size())));
     for (qsizetype i = 0; i < robots.size(); ++i) {
-        const QJsonObject tracked = track.json().value(QStringLiteral("robots")).toObject().value(robots[i]).toObject();
+        const QJsonObject tracked =
+            track.json().value(QStringLiteral("robots")).toObject().value(robots[i]).toObject();
         const double frames = tracked.value(QStringLiteral("frames")).toDouble();
         const std::vector<Place> places = placesOf(trial, robots[i]);
         const Errors errors = errorsOf(places, *shown[std::size_t(i)].motion);
-        qInfo("%s: %.0f frames, %zu measured, RMS %.2f mm, worst %.2f mm", qPrintable(robots[i]), frames, places.size(), 1e3 * errors.rmsM, 1e3 * errors.worstM);
+        qInfo("%s: %.0f frames, %zu measured, RMS %.2f mm, worst %.2f mm", qPrintable(robots[i]), frames,
+              places.size(), 1e3 * errors.rmsM, 1e3 * errors.worstM);
         // 150, of which a busy machine loses some; those that are there must have the robot.
         QVERIFY(frames >= 60 && double(places.size()) >= 0.99 * frames);
         QVERIFY(errors.worstM <= 0.01);

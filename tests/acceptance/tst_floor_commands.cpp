@@ -32,26 +32,34 @@ class TestFloorCommands : public QObject, CallingTest
         QVERIFY2(written.has_value(), written ? "" : written.error().message().c_str());
     }
 
-    static constexpr const char *layoutCsv = "label,x_mm,y_mm\nO,0,0\nU,3000.3,0\nV,-0.1,2200\nD,3000,2200.7\nE,1100,700\n";
+    static constexpr const char *layoutCsv =
+        "label,x_mm,y_mm\nO,0,0\nU,3000.3,0\nV,-0.1,2200\nD,3000,2200.7\nE,1100,700\n";
 
 private Q_SLOTS:
     void initTestCase()
     {
         SimulatedScene scene = demoTestbed(3);
         scene.durationS = 0.1;
-        scene.floor.markers = {"floor", {{"O", {0, 0}}, {"U", {3.0003, 0}}, {"V", {-0.0001, 2.2}}, {"D", {3, 2.2007}}, {"E", {1.1, 0.7}}}};
+        scene.floor.markers = {"floor",
+                               {{"O", {0, 0}},
+                                {"U", {3.0003, 0}},
+                                {"V", {-0.0001, 2.2}},
+                                {"D", {3, 2.2007}},
+                                {"E", {1.1, 0.7}}}};
         scene.floor.markerFigure = MarkerFigure::Ring;
         draw(scene, 0, "a.png");
         draw(scene, 1, "b.png");
         for (int camera : {0, 1}) {
-            const auto written = writeIntrinsics(path(camera == 0 ? "a.yaml" : "b.yaml").toStdString(), camera == 0 ? "A" : "B",
-                                                 scene.cameras[std::size_t(camera)].view.camera().intrinsics());
+            const auto written = writeIntrinsics(
+                path(camera == 0 ? "a.yaml" : "b.yaml").toStdString(), camera == 0 ? "A" : "B",
+                scene.cameras[std::size_t(camera)].view.camera().intrinsics());
             QVERIFY(written.has_value());
         }
         SimulatedScene bumped = scene;
         const FloorView &view = bumped.cameras[1].view;
         RigidTransform turned = view.worldFromCamera();
-        turned.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(0.006, Eigen::Vector3d::UnitZ())) * turned.rotation;
+        turned.rotation =
+            Eigen::Quaterniond(Eigen::AngleAxisd(0.006, Eigen::Vector3d::UnitZ())) * turned.rotation;
         bumped.cameras[1].view = FloorView(view.camera(), turned, view.poseCovariance());
         draw(bumped, 1, "bumped.png");
         SimulatedScene kicked = scene;
@@ -89,7 +97,8 @@ private Q_SLOTS:
     {
         constexpr int width = 8000, height = 6200;
         write("large.pgm", "P5 8000 6200 255\n" + QByteArray(qsizetype{width} * height, '\x80'));
-        for (const char *line : {"calibrate %P C %/large.pgm", "register %P --camera C --layout floor --image %/large.pgm"}) {
+        for (const char *line :
+             {"calibrate %P C %/large.pgm", "register %P --camera C --layout floor --image %/large.pgm"}) {
             const MeasuredRun run = runMeasured(filled(QString::fromLatin1(line)));
             QCOMPARE(run.exitStatus, 1);
             QVERIFY2(run.megabytes < 500 || slowness > 1, qPrintable(QString::number(run.megabytes)));
@@ -116,7 +125,10 @@ private Q_SLOTS:
         const ProgramRun kicked = run("moved %P --camera B --image %/kicked.png --json");
         QCOMPARE(kicked.exitStatus, 1);
         QCOMPARE(kicked.json().value(QStringLiteral("moved")).toString(), QStringLiteral("markers"));
-        QVERIFY(kicked.json().value(QStringLiteral("verdict")).toString().contains(QStringLiteral("Marker E has moved")));
+        QVERIFY(kicked.json()
+                    .value(QStringLiteral("verdict"))
+                    .toString()
+                    .contains(QStringLiteral("Marker E has moved")));
     }
     void anOlderRegistrationIsUsedAgain()
     {
@@ -130,7 +142,13 @@ private Q_SLOTS:
                                QByteArray::number(oldest.value(QStringLiteral("id")).toInt());
         const ProgramRun chosen = run(use.constData());
         QVERIFY2(chosen.exitStatus == 0, chosen.err);
-        QVERIFY(chosen.json().value(QStringLiteral("revisions")).toArray().last().toObject().value(QStringLiteral("in_force")).toBool());
+        QVERIFY(chosen.json()
+                    .value(QStringLiteral("revisions"))
+                    .toArray()
+                    .last()
+                    .toObject()
+                    .value(QStringLiteral("in_force"))
+                    .toBool());
         QCOMPARE(run("revisions %P B --use registration:99").exitStatus, 1);
         QCOMPARE(run("revisions %P B --use 7").exitStatus, 2);
         QCOMPARE(run("reprocess %P nothing").exitStatus, 1);
@@ -145,12 +163,16 @@ private Q_SLOTS:
     }
     void theAxesMoveWithTheCameras()
     {
-        write("task.json", R"({"template": "free", "gates": [{"name": "start", "role": "start", "from_mm": [0, 0], "to_mm": [0, 500]}]})");
+        write(
+            "task.json",
+            R"({"template": "free", "gates": [{"name": "start", "role": "start", "from_mm": [0, 0], "to_mm": [0, 500]}]})");
         QCOMPARE(run("task add %P dash %/task.json").exitStatus, 0);
         const ProgramRun moved = run("layout transform %P floor --origin U --turn 90 --json");
         QVERIFY2(moved.exitStatus == 0, moved.err);
-        QVERIFY2(moved.err.contains("the gates and paths of tasks stay where they are in the axes that were") && moved.err.contains("make dash anew"),
-                 moved.err);
+        QVERIFY2(
+            moved.err.contains("the gates and paths of tasks stay where they are in the axes that were") &&
+                moved.err.contains("make dash anew"),
+            moved.err);
         QCOMPARE(moved.json().value(QStringLiteral("cameras")).toArray().size(), 2);
         const QJsonObject second = moved.json().value(QStringLiteral("markers")).toArray()[1].toObject();
         QVERIFY(std::abs(second.value(QStringLiteral("x_mm")).toDouble()) < 1e-6);

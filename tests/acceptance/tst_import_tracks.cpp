@@ -36,7 +36,8 @@ class TestImportTracks : public QObject
         QByteArray text;
         for (int i = 0; i < 200; ++i) {
             const double angle = 2 * speedMps * i / 50;
-            text += QByteArray::number(i / 50.0, 'f', 6) + ' ' + QByteArray::number(0.5 * std::cos(angle), 'f', 9) + ' ' +
+            text += QByteArray::number(i / 50.0, 'f', 6) + ' ' +
+                    QByteArray::number(0.5 * std::cos(angle), 'f', 9) + ' ' +
                     QByteArray::number(0.5 * std::sin(angle), 'f', 9) + " 0 0 0 0 1\n";
         }
         return text;
@@ -56,11 +57,15 @@ private Q_SLOTS:
         QCOMPARE(good({u"new"_s, m_project}).exitStatus, 0);
         write("slow.tum", circle(0.8));
         write("fast.tum", circle(1));
-        QCOMPARE(good({u"import"_s, m_project, u"--trial"_s, u"slow"_s, u"--track"_s, u"red="_s + path("slow.tum"), u"--team"_s, u"Falcon"_s}).exitStatus, 0);
+        QCOMPARE(good({u"import"_s, m_project, u"--trial"_s, u"slow"_s, u"--track"_s,
+                       u"red="_s + path("slow.tum"), u"--team"_s, u"Falcon"_s})
+                     .exitStatus,
+                 0);
     }
     void answers()
     {
-        const ProgramRun done = good({u"import"_s, m_project, u"--trial"_s, u"fast"_s, u"--track"_s, u"red="_s + path("fast.tum"), u"--json"_s});
+        const ProgramRun done = good({u"import"_s, m_project, u"--trial"_s, u"fast"_s, u"--track"_s,
+                                      u"red="_s + path("fast.tum"), u"--json"_s});
         QCOMPARE(done.exitStatus, 0);
         const QJsonObject robot = done.json()[u"robots"_s][u"red"_s].toObject();
         QCOMPARE(robot[u"samples"_s].toInt(), 200);
@@ -76,18 +81,27 @@ private Q_SLOTS:
         const QJsonObject shown = good({u"show"_s, m_project, u"fast"_s, u"--json"_s}).json();
         QCOMPARE(shown[u"robots"_s][u"red"_s][u"provenance"_s][u"imported"_s].toObject(), imported);
         QVERIFY(shown[u"views"_s].toObject().isEmpty());
-        QVERIFY(good({u"show"_s, m_project, u"fast"_s}).out.contains("imported from fast.tum (tum, SHA-256 "));
+        QVERIFY(
+            good({u"show"_s, m_project, u"fast"_s}).out.contains("imported from fast.tum (tum, SHA-256 "));
         QCOMPARE(good({u"list"_s, m_project, u"--json"_s}).json()[u"trials"_s].toArray().size(), 2);
         QCOMPARE(good({u"check"_s, m_project, u"--json"_s}).json()[u"ok"_s], QJsonValue(true));
-        const QJsonObject compared = good({u"compare"_s, m_project, u"slow"_s, u"fast"_s, u"--json"_s}).json();
+        const QJsonObject compared =
+            good({u"compare"_s, m_project, u"slow"_s, u"fast"_s, u"--json"_s}).json();
         // A quarter faster: over 3.18 m the faster one is 0.8 s ahead in the end.
-        QVERIFY(std::abs(compared[u"delta_t_s"_s].toArray().last().toDouble() + compared[u"distance_m"_s].toArray().last().toDouble() * 0.25) < 0.05);
+        QVERIFY(std::abs(compared[u"delta_t_s"_s].toArray().last().toDouble() +
+                         compared[u"distance_m"_s].toArray().last().toDouble() * 0.25) < 0.05);
         QCOMPARE(good({u"track"_s, m_project, u"fast"_s, u"--again"_s}).exitStatus, 0);
         QCOMPARE(good({u"flag"_s, m_project, u"fast"_s, u"--frame"_s, u"100"_s, u"--spike"_s}).exitStatus, 0);
         QCOMPARE(good({u"reprocess"_s, m_project, u"fast"_s}).exitStatus, 0);
         QCOMPARE(good({u"snapshot"_s, m_project, u"fast"_s, u"-o"_s, path("review.png")}).exitStatus, 0);
-        QCOMPARE(good({u"snapshot"_s, m_project, u"fast"_s, u"--mode"_s, u"compare"_s, u"-o"_s, path("compare.png")}).exitStatus, 0);
-        QCOMPARE(good({u"snapshot"_s, m_project, u"fast"_s, u"--mode"_s, u"history"_s, u"-o"_s, path("history.png")}).exitStatus, 0);
+        QCOMPARE(good({u"snapshot"_s, m_project, u"fast"_s, u"--mode"_s, u"compare"_s, u"-o"_s,
+                       path("compare.png")})
+                     .exitStatus,
+                 0);
+        QCOMPARE(good({u"snapshot"_s, m_project, u"fast"_s, u"--mode"_s, u"history"_s, u"-o"_s,
+                       path("history.png")})
+                     .exitStatus,
+                 0);
     }
     void roundTrips_data()
     {
@@ -103,13 +117,17 @@ private Q_SLOTS:
         QFETCH(QStringList, how);
         const QString file = path("out.txt"), trial = QString::fromLatin1(QTest::currentDataTag());
         QCOMPARE(good(QStringList{u"export"_s, m_project, u"slow"_s, u"-o"_s, file} + how).exitStatus, 0);
-        const ProgramRun done = good({u"import"_s, m_project, u"--trial"_s, trial, u"--track"_s, u"red="_s + file, u"--json"_s});
+        const ProgramRun done =
+            good({u"import"_s, m_project, u"--trial"_s, trial, u"--track"_s, u"red="_s + file, u"--json"_s});
         QCOMPARE(done.exitStatus, 0);
         QCOMPARE(done.json()[u"robots"_s][u"red"_s][u"samples"_s].toInt(), 200);
     }
     void jsonFitsItsSchema()
     {
-        QCOMPARE(good({u"export"_s, m_project, u"slow"_s, u"-o"_s, path("out.json"), u"--format"_s, u"json"_s}).exitStatus, 0);
+        QCOMPARE(
+            good({u"export"_s, m_project, u"slow"_s, u"-o"_s, path("out.json"), u"--format"_s, u"json"_s})
+                .exitStatus,
+            0);
         QFile file(path("out.json"));
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QJsonObject document = QJsonDocument::fromJson(file.readAll()).object();
@@ -121,9 +139,14 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QByteArray>("words");
         QTest::newRow("not increasing") << QByteArray("t_s,x_mm,y_mm\n1,0,0\n0,0,0\n")
-                                        << QByteArray(":3: its time is before that of the line before; put the lines in the order of time, each time once\n");
-        QTest::newRow("9 columns") << QByteArray("0 0 0 0 0 0 0 1 1\n") << QByteArray(":1: it has 9 entries instead of the 8 of TUM; write ");
-        QTest::newRow("empty") << QByteArray() << QByteArray(":1: the file is empty; begin the file with the line t_s,x_mm,y_mm, or write lines of ");
+                                        << QByteArray(":3: its time is before that of the line before; put "
+                                                      "the lines in the order of time, each time once\n");
+        QTest::newRow("9 columns") << QByteArray("0 0 0 0 0 0 0 1 1\n")
+                                   << QByteArray(":1: it has 9 entries instead of the 8 of TUM; write ");
+        QTest::newRow("empty")
+            << QByteArray()
+            << QByteArray(
+                   ":1: the file is empty; begin the file with the line t_s,x_mm,y_mm, or write lines of ");
     }
     void mistakes()
     {
@@ -131,7 +154,8 @@ private Q_SLOTS:
         QFETCH(QByteArray, words);
         write("bad.txt", text);
         const QByteArray before = fileHash(m_project);
-        const ProgramRun done = runProgram({u"import"_s, m_project, u"--trial"_s, u"bad"_s, u"--track"_s, u"red="_s + path("bad.txt")});
+        const ProgramRun done = runProgram(
+            {u"import"_s, m_project, u"--trial"_s, u"bad"_s, u"--track"_s, u"red="_s + path("bad.txt")});
         QCOMPARE(done.exitStatus, 1);
         QVERIFY2(done.err.startsWith("odograph: " + path("bad.txt").toUtf8() + words), done.err.constData());
         QCOMPARE(done.err.count('\n'), 1);
@@ -139,54 +163,74 @@ private Q_SLOTS:
     }
     void wrongCalls()
     {
-        for (const QStringList &call : {QStringList{u"--track"_s, u"red="_s + path("slow.tum")}, QStringList{u"--trial"_s, u"x"_s, u"--track"_s, path("slow.tum")},
-                                        QStringList{u"--trial"_s, u"x"_s, u"--track"_s, u"red="_s + path("slow.tum"), u"--rate"_s, u"3"_s},
-                                        QStringList{u"--trial"_s, u"x"_s, u"--track"_s, u"red="_s + path("slow.tum"), u"--video"_s, u"A=a.mp4"_s}}) {
+        for (const QStringList &call :
+             {QStringList{u"--track"_s, u"red="_s + path("slow.tum")},
+              QStringList{u"--trial"_s, u"x"_s, u"--track"_s, path("slow.tum")},
+              QStringList{u"--trial"_s, u"x"_s, u"--track"_s, u"red="_s + path("slow.tum"), u"--rate"_s,
+                          u"3"_s},
+              QStringList{u"--trial"_s, u"x"_s, u"--track"_s, u"red="_s + path("slow.tum"), u"--video"_s,
+                          u"A=a.mp4"_s}}) {
             const ProgramRun done = runProgram(QStringList{u"import"_s, m_project} + call);
             QCOMPARE(done.exitStatus, 2);
             QCOMPARE(done.err.count('\n'), 1);
         }
         const ProgramRun track = runProgram({u"track"_s, m_project, u"slow"_s});
         QCOMPARE(track.exitStatus, 1);
-        QVERIFY(track.err.startsWith("odograph: trial 'slow': its tracks were imported, so there is no video to track in; "));
+        QVERIFY(track.err.startsWith(
+            "odograph: trial 'slow': its tracks were imported, so there is no video to track in; "));
     }
     void hostileNames()
     {
         const QString name = QStringLiteral("=../<b>") + QString(20, u'n');
-        QCOMPARE(good({u"import"_s, m_project, u"--trial"_s, name, u"--track"_s, u"@r="_s + path("slow.tum")}).exitStatus, 0);
+        QCOMPARE(good({u"import"_s, m_project, u"--trial"_s, name, u"--track"_s, u"@r="_s + path("slow.tum")})
+                     .exitStatus,
+                 0);
         QVERIFY(good({u"list"_s, m_project}).out.contains(name.toUtf8()));
         for (const QString &refused : {QString(10000, u'n'), QStringLiteral("turned \u202E around")}) {
-            const ProgramRun done = runProgram({u"import"_s, m_project, u"--trial"_s, refused, u"--track"_s, u"red="_s + path("slow.tum")});
+            const ProgramRun done = runProgram(
+                {u"import"_s, m_project, u"--trial"_s, refused, u"--track"_s, u"red="_s + path("slow.tum")});
             QCOMPARE(done.exitStatus, 1);
             QCOMPARE(done.err.count('\n'), 1);
             QVERIFY(!done.err.contains("\u202E"));
         }
     }
-    /// A metric that somebody has changed with a database program: found by both checks, told wherever it is shown.
+    /// A metric that somebody has changed with a database program: found by both checks, told wherever it is
+    /// shown.
     void aForgedMetricIsTold()
     {
         const auto change = [this](const char *factor) {
             sqlite3 *database = nullptr;
             QCOMPARE(sqlite3_open(m_project.toUtf8().constData(), &database), SQLITE_OK);
             const QByteArray sql = QByteArray("UPDATE metric SET value=value*") + factor +
-                                   " WHERE name='duration' AND analysis_id IN (SELECT analysis.id FROM analysis JOIN trial ON trial.id=trial_id WHERE trial.name='slow')";
+                                   " WHERE name='duration' AND analysis_id IN (SELECT analysis.id FROM "
+                                   "analysis JOIN trial ON trial.id=trial_id WHERE trial.name='slow')";
             QCOMPARE(sqlite3_exec(database, sql.constData(), nullptr, nullptr, nullptr), SQLITE_OK);
             sqlite3_close(database);
         };
-        const QString notice = u"robot 'red' in trial 'slow': its results are not those that its analysis gave: they were changed in the file; run odograph check, or "
+        const QString notice = u"robot 'red' in trial 'slow': its results are not those that its analysis "
+                               u"gave: they were changed in the file; run odograph check, or "
                                "analyse the trial again"_s;
-        const auto warnings = [&] { return good({u"show"_s, m_project, u"slow"_s, u"--json"_s}).json()[u"warnings"_s].toVariant().toStringList(); };
+        const auto warnings = [&] {
+            return good({u"show"_s, m_project, u"slow"_s, u"--json"_s})
+                .json()[u"warnings"_s]
+                .toVariant()
+                .toStringList();
+        };
         QCOMPARE(good({u"check"_s, m_project, u"--quick"_s}).out, QByteArray("All is well.\n"));
         QVERIFY(!warnings().contains(notice));
         change("0.5");
-        for (const QStringList &check : {QStringList{u"check"_s, m_project, u"--json"_s}, QStringList{u"check"_s, m_project, u"--quick"_s, u"--json"_s}}) {
+        for (const QStringList &check : {QStringList{u"check"_s, m_project, u"--json"_s},
+                                         QStringList{u"check"_s, m_project, u"--quick"_s, u"--json"_s}}) {
             const ProgramRun done = runProgram(check);
             QCOMPARE(done.exitStatus, 1);
             const QJsonArray problems = done.json()[u"problems"_s].toArray();
             QCOMPARE(problems.size(), 2);
-            QCOMPARE(problems[0][u"what"_s].toString(), u"the metrics, spikes or settings of robot 'red' are not those that its analysis gave"_s);
+            QCOMPARE(
+                problems[0][u"what"_s].toString(),
+                u"the metrics, spikes or settings of robot 'red' are not those that its analysis gave"_s);
             QCOMPARE(problems[0][u"where"_s].toString(), u"trial 'slow'"_s);
-            QVERIFY(problems[1][u"what"_s].toString().startsWith(u"metric 'duration' of robot 'red' is stored as 1.9"_s));
+            QVERIFY(problems[1][u"what"_s].toString().startsWith(
+                u"metric 'duration' of robot 'red' is stored as 1.9"_s));
             QVERIFY(problems[1][u"what"_s].toString().contains(u" s, its positions give 3.9"_s));
         }
         QVERIFY2(warnings().contains(notice), qPrintable(warnings().join(u'\n')));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/intrinsics_yaml.h"
-#include "core/exchange/layout_csv.h"
+#include "core/exchange/labelled_points.h"
 #include "core/exchange/text_file.h"
 #include "core/files/output_file.h"
 #include "core/simulation/demo_testbed.h"
@@ -141,10 +141,12 @@ void TestLongRecordings::twoHourLongClips()
     const double ofAnHour = track(60, VideoCodec(codec));
     QVERIFY(ofTenMinutes > 0 && ofAnHour > 0);
     QVERIFY2(ofAnHour <= mostMegabytes, qPrintable(QString::number(ofAnHour)));
-    // What is kept of a frame is what may grow: its observations (0.14 kB a view) to the end, beside them while the
-    // views are laid on the floor twice a place (0.13 kB a view each), and the sample with its profile (0.26 kB).
+    // What is kept of a frame is what may grow: its observations (0.14 kB a view) to the end, beside them
+    // while the views are laid on the floor twice a place (0.13 kB a view each), and the sample with its
+    // profile (0.26 kB).
     const double frames = 2.0 * 50 * 60 * framesPerSecond;
-    QVERIFY2(ofAnHour - ofTenMinutes < mostPerFrameMegabytes * frames, qPrintable(QString::number(ofAnHour - ofTenMinutes)));
+    QVERIFY2(ofAnHour - ofTenMinutes < mostPerFrameMegabytes * frames,
+             qPrintable(QString::number(ofAnHour - ofTenMinutes)));
 }
 
 ODOGRAPH_TEST(TestLongRecordings, QCoreApplication)

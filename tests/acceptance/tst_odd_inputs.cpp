@@ -59,7 +59,8 @@ private Q_SLOTS:
         QCOMPARE(::mkfifo(path("pipe").toLocal8Bit().constData(), 0600), 0);
         makeSocket(path("socket"));
         for (const char *what : {"pipe", "folder", "layout.csv", "run.csv"})
-            std::filesystem::create_symlink(what, path((std::string("link to ") + what).c_str()).toStdString());
+            std::filesystem::create_symlink(what,
+                                            path((std::string("link to ") + what).c_str()).toStdString());
         std::filesystem::create_symlink("loop", path("loop").toStdString());
     }
     void cleanupTestCase() { ::close(m_socket); }
@@ -80,7 +81,8 @@ private Q_SLOTS:
             row("socket", path("socket"), "it is a socket; ");
             row("endless device", QStringLiteral("/dev/zero"), "it is a device; ");
             row("terminal", QStringLiteral("/dev/ptmx"), "it is a device; ");
-            row("loop of links", path("loop"), "it cannot be looked at (Too many levels of symbolic links); ");
+            row("loop of links", path("loop"),
+                "it cannot be looked at (Too many levels of symbolic links); ");
             row("nothing", path("nothing"), "there is no such file; ");
         }
     }
@@ -95,7 +97,8 @@ private Q_SLOTS:
         const QByteArray before = fileHash(m_project);
         const QStringList filesBefore = QDir(m_folder.path()).entryList();
         const ProgramRun run = runProgram(arguments);
-        QVERIFY2(run.exitStatus == 1, qPrintable(QString::number(run.exitStatus) + QString::fromUtf8(run.err)));
+        QVERIFY2(run.exitStatus == 1,
+                 qPrintable(QString::number(run.exitStatus) + QString::fromUtf8(run.err)));
         QVERIFY2(run.err.startsWith("odograph: ") && run.err.count('\n') == 1, run.err);
         QVERIFY2(run.err.contains(words) && run.err.contains(input.toUtf8()), run.err);
         QVERIFY2(run.out.isEmpty(), run.out);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A project of every older format, as tests/data keeps them, listed by the program: it is brought up to date, and nothing is missing.
+// A project of every older format, as tests/data keeps them, listed by the program: it is brought up to date,
+// and nothing is missing.
 #include "tests/support/program.h"
 #include "tests/support/registered_test.h"
 
@@ -21,7 +22,8 @@ class TestOldFormats : public QObject
 
     static QString dumpOf(int format)
     {
-        return QDir(qEnvironmentVariable("ODOGRAPH_SOURCE_DIR")).filePath(QStringLiteral("tests/data/project_format_%1.sql").arg(format));
+        return QDir(qEnvironmentVariable("ODOGRAPH_SOURCE_DIR"))
+            .filePath(QStringLiteral("tests/data/project_format_%1.sql").arg(format));
     }
 
     QString stored(int format) const

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every command that writes a file against everything that no output may take the place of. ODOGRAPH_MUTATIONS: how many calls are
-// drawn out of all combinations instead of the few of each run.
+// Every command that writes a file against everything that no output may take the place of.
+// ODOGRAPH_MUTATIONS: how many calls are drawn out of all combinations instead of the few of each run.
 #include "core/video/video_reader.h"
 #include "tests/support/demo_lesson.h"
 #include "tests/support/program.h"
@@ -28,8 +28,8 @@ namespace {
 struct Spelling
 {
     const char *name;
-    const char *text;      ///< what is written on the command line
-    const char *linksTo;   ///< of the link "%1/link" that is made first; null: none
+    const char *text;    ///< what is written on the command line
+    const char *linksTo; ///< of the link "%1/link" that is made first; null: none
     bool isHardLink = false;
 };
 constexpr Spelling spellings[] = {{"plain", "%1/%2", nullptr},
@@ -42,10 +42,21 @@ constexpr Spelling spellings[] = {{"plain", "%1/%2", nullptr},
                                   {"hard link", "%1/link", "%1/%2", true}};
 
 /// In the lesson's folder; what no output may take the place of, or become.
-const char *const protectedNames[] = {"demo.odo",        "demo.odo-wal",       "demo.odo-shm", "demo.odo-journal",
-                                      "demo.odo.lock",   "demo.odo.bak-3",     "demo.odo.damaged", "demo.media/circle_A.mkv",
-                                      "demo.media/new",  "demo.media/calibration/new.png", "other.odo", "foreign.db",
-                                      "folder",          "fifo",               "device"};
+const char *const protectedNames[] = {"demo.odo",
+                                      "demo.odo-wal",
+                                      "demo.odo-shm",
+                                      "demo.odo-journal",
+                                      "demo.odo.lock",
+                                      "demo.odo.bak-3",
+                                      "demo.odo.damaged",
+                                      "demo.media/circle_A.mkv",
+                                      "demo.media/new",
+                                      "demo.media/calibration/new.png",
+                                      "other.odo",
+                                      "foreign.db",
+                                      "folder",
+                                      "fifo",
+                                      "device"};
 
 /// The commands; %1 is the project, the output follows.
 const QStringList &commands()
@@ -77,10 +88,12 @@ constexpr int fewMutations = 2 * int(std::size(protectedNames));
 Mutation mutation(int n)
 {
     if (n < fewMutations)
-        return {n % int(commands().size()), n % int(std::size(protectedNames)), n % int(std::size(spellings)), n % 2 == 1};
+        return {n % int(commands().size()), n % int(std::size(protectedNames)), n % int(std::size(spellings)),
+                n % 2 == 1};
     static std::mt19937 random(32);
     const auto below = [&](std::size_t count) { return static_cast<int>(random() % count); };
-    return {below(std::size_t(commands().size())), below(std::size(protectedNames)), below(std::size(spellings)), below(2) == 1};
+    return {below(std::size_t(commands().size())), below(std::size(protectedNames)),
+            below(std::size(spellings)), below(2) == 1};
 }
 
 } // namespace
@@ -105,7 +118,9 @@ class TestOutputs : public QObject
     QStringList content() const
     {
         QStringList all;
-        QDirIterator each(m_folder.path(), QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot, QDirIterator::Subdirectories);
+        QDirIterator each(m_folder.path(),
+                          QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot,
+                          QDirIterator::Subdirectories);
         while (each.hasNext()) {
             struct stat status
             {
@@ -114,8 +129,12 @@ class TestOutputs : public QObject
             if (::lstat(name.toLocal8Bit().constData(), &status) != 0)
                 continue;
             const bool isFolder = S_ISDIR(status.st_mode); // its time tells of what came and went
-            all << QStringLiteral("%1 %2 %3 %4 %5").arg(name).arg(status.st_mode).arg(status.st_ino).arg(isFolder ? 0 : status.st_size).arg(
-                isFolder ? 0 : status.st_mtim.tv_sec * 1'000'000'000 + status.st_mtim.tv_nsec);
+            all << QStringLiteral("%1 %2 %3 %4 %5")
+                       .arg(name)
+                       .arg(status.st_mode)
+                       .arg(status.st_ino)
+                       .arg(isFolder ? 0 : status.st_size)
+                       .arg(isFolder ? 0 : status.st_mtim.tv_sec * 1'000'000'000 + status.st_mtim.tv_nsec);
         }
         all.sort();
         return all;
@@ -124,7 +143,8 @@ class TestOutputs : public QObject
     static std::size_t frameCount(const QString &file)
     {
         const auto video = odo::VideoReader::open(file.toStdString());
-        return video && (*video)->info().frameTimes.size() > 1 && (*video)->frameAt(std::int64_t((*video)->info().frameTimes.size()) - 1)
+        return video && (*video)->info().frameTimes.size() > 1 &&
+                       (*video)->frameAt(std::int64_t((*video)->info().frameTimes.size()) - 1)
                    ? (*video)->info().frameTimes.size()
                    : 0;
     }
@@ -134,7 +154,9 @@ class TestOutputs : public QObject
         const Spelling &spelling = spellings[mutated.spelling];
         const QString thing = QString::fromUtf8(protectedNames[mutated.thing]);
         const auto fill = [&](const char *text) {
-            return QString::fromUtf8(text).replace(QStringLiteral("%1"), m_folder.path()).replace(QStringLiteral("%2"), thing);
+            return QString::fromUtf8(text)
+                .replace(QStringLiteral("%1"), m_folder.path())
+                .replace(QStringLiteral("%2"), thing);
         };
         const fs::path link = path(QStringLiteral("link")).toStdString();
         std::error_code problem;
@@ -151,13 +173,18 @@ class TestOutputs : public QObject
             call << QStringLiteral("--force");
         const ProgramRun run = runProgram(call);
         ++m_calls;
-        const QString words = call.join(u' ') + QStringLiteral(" (") + QString::fromUtf8(spelling.name) + QStringLiteral("): ");
+        const QString words =
+            call.join(u' ') + QStringLiteral(" (") + QString::fromUtf8(spelling.name) + QStringLiteral("): ");
         if (run.exitStatus != 2 || !run.out.isEmpty())
-            return words + QStringLiteral("status %1, %2").arg(run.exitStatus).arg(QString::fromUtf8(run.out + run.err));
-        if (!run.err.startsWith("odograph: file '") || run.err.count('\n') != 1 || !run.err.contains(": it is ") || !run.err.endsWith("; choose another name\n"))
+            return words + QStringLiteral("status %1, %2")
+                               .arg(run.exitStatus)
+                               .arg(QString::fromUtf8(run.out + run.err));
+        if (!run.err.startsWith("odograph: file '") || run.err.count('\n') != 1 ||
+            !run.err.contains(": it is ") || !run.err.endsWith("; choose another name\n"))
             return words + QString::fromUtf8(run.err);
         if (const QStringList after = content(); after != before)
-            return words + QStringLiteral("changed the folder:\n") + before.join(u'\n') + QStringLiteral("\n---\n") + after.join(u'\n');
+            return words + QStringLiteral("changed the folder:\n") + before.join(u'\n') +
+                   QStringLiteral("\n---\n") + after.join(u'\n');
         return {};
     }
 
@@ -166,8 +193,10 @@ private Q_SLOTS:
     {
         QCOMPARE(provideDemoLesson(m_folder.path()), QString());
         m_project = path(QStringLiteral("demo.odo"));
-        QVERIFY(QDir(m_folder.path()).mkpath(QStringLiteral("folder")) && QDir(m_folder.path()).mkpath(QStringLiteral("sub")));
-        QVERIFY(QFile::copy(m_project, path(QStringLiteral("other.odo"))) && QFile::copy(m_project, path(QStringLiteral("demo.odo.bak-3"))));
+        QVERIFY(QDir(m_folder.path()).mkpath(QStringLiteral("folder")) &&
+                QDir(m_folder.path()).mkpath(QStringLiteral("sub")));
+        QVERIFY(QFile::copy(m_project, path(QStringLiteral("other.odo"))) &&
+                QFile::copy(m_project, path(QStringLiteral("demo.odo.bak-3"))));
         const auto write = [&](const char *name, const QByteArray &bytes) {
             QFile file(path(QString::fromUtf8(name)));
             QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
@@ -176,14 +205,17 @@ private Q_SLOTS:
         write("foreign.db", QByteArray("SQLite format 3").append(200, '\0'));
         fs::create_symlink("..", path(QStringLiteral("sub/up")).toStdString());
         QCOMPARE(::mkfifo(path(QStringLiteral("fifo")).toLocal8Bit().constData(), 0600), 0);
-        // One of its own: an administrator could lose the real one. Others can make none, and use a link to it.
-        if (::mknod(path(QStringLiteral("device")).toLocal8Bit().constData(), S_IFCHR | 0600, ::makedev(1, 3)) != 0)
+        // One of its own: an administrator could lose the real one. Others can make none, and use a link to
+        // it.
+        if (::mknod(path(QStringLiteral("device")).toLocal8Bit().constData(), S_IFCHR | 0600,
+                    ::makedev(1, 3)) != 0)
             fs::create_symlink("/dev/null", path(QStringLiteral("device")).toStdString());
     }
 
     void nothingTakesThePlaceOfWhatMustStay()
     {
-        const QByteArray project = fileHash(m_project), video = fileHash(path(QStringLiteral("demo.media/circle_A.mkv")));
+        const QByteArray project = fileHash(m_project),
+                         video = fileHash(path(QStringLiteral("demo.media/circle_A.mkv")));
         const int asked = qEnvironmentVariableIntValue("ODOGRAPH_MUTATIONS");
         for (int n = 0; n < fewMutations || m_calls < asked; ++n) {
             const QString what = wrong(mutation(n));
@@ -201,16 +233,22 @@ private Q_SLOTS:
         const QString logo = path(QStringLiteral("logo.png"));
         QVERIFY(QFile::copy(path(QStringLiteral("calibration/A_01.png")), logo));
         const QByteArray before = fileHash(logo);
-        for (const QString &command : {QStringLiteral("report %1 circle --force --logo"), QStringLiteral("compare %1 figure-eight figure-eight_with_reflections --force --logo")}) {
-            const ProgramRun run = runProgram(callOf(command) << logo << QStringLiteral("-o") << path(QStringLiteral("sub/../logo.png")));
-            QVERIFY2(run.exitStatus == 2 && run.err.contains("it is an input of the same call; choose another name"), run.err);
+        for (const QString &command :
+             {QStringLiteral("report %1 circle --force --logo"),
+              QStringLiteral("compare %1 figure-eight figure-eight_with_reflections --force --logo")}) {
+            const ProgramRun run = runProgram(callOf(command) << logo << QStringLiteral("-o")
+                                                              << path(QStringLiteral("sub/../logo.png")));
+            QVERIFY2(run.exitStatus == 2 &&
+                         run.err.contains("it is an input of the same call; choose another name"),
+                     run.err);
         }
         QCOMPARE(fileHash(logo), before);
     }
 
     void recordingsElsewhereStay()
     {
-        // The videos of a copy are in the media folder of the original; without that they are nobody's by their place.
+        // The videos of a copy are in the media folder of the original; without that they are nobody's by
+        // their place.
         QTemporaryDir elsewhere;
         const QString copy = elsewhere.filePath(QStringLiteral("copy.odo"));
         const QString media = elsewhere.filePath(QStringLiteral("demo.media"));
@@ -219,18 +257,26 @@ private Q_SLOTS:
         const QString video = media + QStringLiteral("/circle_A.mkv");
         QVERIFY(QFile::copy(path(QStringLiteral("demo.media/circle_A.mkv")), video));
         const QByteArray before = fileHash(video);
-        const ProgramRun run = runProgram({QStringLiteral("export"), copy, QStringLiteral("circle"), QStringLiteral("-o"), video, QStringLiteral("--force")});
-        QVERIFY2(run.exitStatus == 2 && run.err.contains("it is a recording of the project; choose another name"), run.err);
+        const ProgramRun run = runProgram({QStringLiteral("export"), copy, QStringLiteral("circle"),
+                                           QStringLiteral("-o"), video, QStringLiteral("--force")});
+        QVERIFY2(run.exitStatus == 2 &&
+                     run.err.contains("it is a recording of the project; choose another name"),
+                 run.err);
         QCOMPARE(fileHash(video), before);
     }
 
     void theSameKindIsReplacedAndAnotherWithForceOnly()
     {
         for (const QString &command : commands()) {
-            const bool isVideo = command.contains(QLatin1String("video")), isPicture = command.startsWith(QLatin1String("snapshot"));
-            const QString file = path(QStringLiteral("out/") + (isVideo ? QStringLiteral("o.mp4") : isPicture ? QStringLiteral("o.png") : QStringLiteral("o")));
+            const bool isVideo = command.contains(QLatin1String("video")),
+                       isPicture = command.startsWith(QLatin1String("snapshot"));
+            const QString file = path(QStringLiteral("out/") + (isVideo     ? QStringLiteral("o.mp4")
+                                                                : isPicture ? QStringLiteral("o.png")
+                                                                            : QStringLiteral("o")));
             QDir(m_folder.path()).mkpath(QStringLiteral("out"));
-            const auto run = [&](const QStringList &more) { return runProgram(callOf(command) << file << more); };
+            const auto run = [&](const QStringList &more) {
+                return runProgram(callOf(command) << file << more);
+            };
             const auto write = [&](const QByteArray &bytes) {
                 QFile old(file);
                 QVERIFY(old.open(QIODevice::WriteOnly) && old.write(bytes) == bytes.size());
@@ -240,7 +286,10 @@ private Q_SLOTS:
             QVERIFY2(run({}).exitStatus == 0, qPrintable(command));
             write("a letter to nobody");
             const ProgramRun refused = run({});
-            QVERIFY2(refused.exitStatus == 2 && refused.err.contains("a file of another kind has that name; choose another name, or replace it with --force"), refused.err);
+            QVERIFY2(refused.exitStatus == 2 &&
+                         refused.err.contains("a file of another kind has that name; choose another name, or "
+                                              "replace it with --force"),
+                     refused.err);
             QFile kept(file);
             QVERIFY(kept.open(QIODevice::ReadOnly));
             QCOMPARE(kept.readAll(), QByteArray("a letter to nobody"));
@@ -255,7 +304,8 @@ private Q_SLOTS:
         QTest::addColumn<QString>("command");
         QTest::addColumn<QString>("name");
         QTest::newRow("table") << QStringLiteral("export %1 circle -o") << QStringLiteral("one.csv");
-        QTest::newRow("video") << QStringLiteral("export %1 straight --format video --size 320x180 -o") << QStringLiteral("one.mp4");
+        QTest::newRow("video") << QStringLiteral("export %1 straight --format video --size 320x180 -o")
+                               << QStringLiteral("one.mp4");
     }
     void manyToOneName()
     {
@@ -274,7 +324,8 @@ private Q_SLOTS:
             QVERIFY(process->waitForFinished(600'000));
             QVERIFY2(process->exitCode() == 0, process->readAllStandardError().constData());
         }
-        QCOMPARE(QDir(out.path()).entryList(QDir::Files | QDir::Hidden), QStringList({QStringLiteral("alone_") + name, name}));
+        QCOMPARE(QDir(out.path()).entryList(QDir::Files | QDir::Hidden),
+                 QStringList({QStringLiteral("alone_") + name, name}));
         if (name.endsWith(QLatin1String("csv"))) // a video's threads share its bytes out as they come
             QCOMPARE(fileHash(file), fileHash(alone));
         else
@@ -285,16 +336,22 @@ private Q_SLOTS:
     {
         QTemporaryDir out;
         const QDir folder(out.path());
-        const auto left = [&] { return folder.entryList({QStringLiteral(".odograph-*.part")}, QDir::Dirs | QDir::Hidden).size(); };
+        const auto left = [&] {
+            return folder.entryList({QStringLiteral(".odograph-*.part")}, QDir::Dirs | QDir::Hidden).size();
+        };
         QProcess process;
         process.start(qEnvironmentVariable("ODOGRAPH_PROGRAM"),
-                      callOf(QStringLiteral("export %1 circle --format video -o")) << folder.filePath(QStringLiteral("a.mp4")));
+                      callOf(QStringLiteral("export %1 circle --format video -o"))
+                          << folder.filePath(QStringLiteral("a.mp4")));
         QTRY_COMPARE_WITH_TIMEOUT(left(), 1, 60'000);
         process.kill();
         QVERIFY(process.waitForFinished());
         QCOMPARE(left(), 1);
         QVERIFY(!folder.exists(QStringLiteral("a.mp4")));
-        QCOMPARE(runProgram({QStringLiteral("target"), QStringLiteral("tags"), QStringLiteral("-o"), folder.filePath(QStringLiteral("b.pdf"))}).exitStatus, 0);
+        QCOMPARE(runProgram({QStringLiteral("target"), QStringLiteral("tags"), QStringLiteral("-o"),
+                             folder.filePath(QStringLiteral("b.pdf"))})
+                     .exitStatus,
+                 0);
         QCOMPARE(folder.entryList(QDir::Files | QDir::Hidden), QStringList{QStringLiteral("b.pdf")});
     }
 };

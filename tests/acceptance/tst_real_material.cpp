@@ -12,8 +12,8 @@
 
 using namespace odo::test;
 
-/// Real recordings and calibration sets, by the command line. The folder is ODOGRAPH_REAL_DATA or ../shared/data; its
-/// README holds the reference figures that are asserted here.
+/// Real recordings and calibration sets, by the command line. The folder is ODOGRAPH_REAL_DATA or
+/// ../shared/data; its README holds the reference figures that are asserted here.
 class TestRealMaterial : public QObject
 {
     Q_OBJECT
@@ -76,9 +76,10 @@ private Q_SLOTS:
     {
         QFETCH(QString, folder);
         QFETCH(double, focal);
-        const QJsonObject answer =
-            calibrated("portrait", pictures(folder.toLatin1(), "*.jpg"), {QStringLiteral("--square"), QStringLiteral("60mm")});
-        const double found = answer.value(QStringLiteral("intrinsics")).toObject().value(QStringLiteral("fx")).toDouble();
+        const QJsonObject answer = calibrated("portrait", pictures(folder.toLatin1(), "*.jpg"),
+                                              {QStringLiteral("--square"), QStringLiteral("60mm")});
+        const double found =
+            answer.value(QStringLiteral("intrinsics")).toObject().value(QStringLiteral("fx")).toDouble();
         qInfo("focal length %.1f px, published %.1f px, RMS %.3f px", found, focal,
               answer.value(QStringLiteral("rms_px")).toDouble());
         QCOMPARE(answer.value(QStringLiteral("images_used")).toInt(), 7);
@@ -89,25 +90,39 @@ private Q_SLOTS:
     {
         for (const QString &camera : {QStringLiteral("A"), QStringLiteral("B")})
             QCOMPARE(good({QStringLiteral("intrinsics"), QStringLiteral("import"), project(), camera,
-                           data("cap-two-views/") + camera + QStringLiteral(".yaml")}).exitStatus, 0);
+                           data("cap-two-views/") + camera + QStringLiteral(".yaml")})
+                         .exitStatus,
+                     0);
         QCOMPARE(good({QStringLiteral("layout"), QStringLiteral("add"), project(), QStringLiteral("floor"),
-                       data("cap-two-views/layout.csv")}).exitStatus, 0);
+                       data("cap-two-views/layout.csv")})
+                     .exitStatus,
+                 0);
         for (const QString &camera : {QStringLiteral("A"), QStringLiteral("B")}) {
-            const ProgramRun run = good({QStringLiteral("register"), project(), QStringLiteral("--camera"), camera,
-                                         QStringLiteral("--layout"), QStringLiteral("floor"), QStringLiteral("--pixels"),
-                                         data("cap-two-views/pixels_") + camera + QStringLiteral(".csv"), QStringLiteral("--json")});
+            const ProgramRun run = good(
+                {QStringLiteral("register"), project(), QStringLiteral("--camera"), camera,
+                 QStringLiteral("--layout"), QStringLiteral("floor"), QStringLiteral("--pixels"),
+                 data("cap-two-views/pixels_") + camera + QStringLiteral(".csv"), QStringLiteral("--json")});
             QCOMPARE(run.exitStatus, 0);
-            qInfo("camera %s: %.1f mm RMS", qPrintable(camera), run.json().value(QStringLiteral("rms_mm")).toDouble());
+            qInfo("camera %s: %.1f mm RMS", qPrintable(camera),
+                  run.json().value(QStringLiteral("rms_mm")).toDouble());
         }
-        QCOMPARE(good({QStringLiteral("robot"), QStringLiteral("add"), project(), QStringLiteral("cap"), QStringLiteral("--colour"),
-                       QStringLiteral("#2c717a"), QStringLiteral("--height"), QStringLiteral("1.6m")}).exitStatus, 0);
+        QCOMPARE(good({QStringLiteral("robot"), QStringLiteral("add"), project(), QStringLiteral("cap"),
+                       QStringLiteral("--colour"), QStringLiteral("#2c717a"), QStringLiteral("--height"),
+                       QStringLiteral("1.6m")})
+                     .exitStatus,
+                 0);
         QCOMPARE(good({QStringLiteral("import"), project(), QStringLiteral("--trial"), QStringLiteral("walk"),
-                       QStringLiteral("--video"), QStringLiteral("A=") + data("cap-two-views/A.mp4"), QStringLiteral("--video"),
-                       QStringLiteral("B=") + data("cap-two-views/B.mp4"), QStringLiteral("--sync"), QStringLiteral("0"),
-                       QStringLiteral("--robot"), QStringLiteral("cap")}).exitStatus, 0);
-        const ProgramRun track = good({QStringLiteral("track"), project(), QStringLiteral("walk"), QStringLiteral("--json")});
+                       QStringLiteral("--video"), QStringLiteral("A=") + data("cap-two-views/A.mp4"),
+                       QStringLiteral("--video"), QStringLiteral("B=") + data("cap-two-views/B.mp4"),
+                       QStringLiteral("--sync"), QStringLiteral("0"), QStringLiteral("--robot"),
+                       QStringLiteral("cap")})
+                     .exitStatus,
+                 0);
+        const ProgramRun track =
+            good({QStringLiteral("track"), project(), QStringLiteral("walk"), QStringLiteral("--json")});
         QCOMPARE(track.exitStatus, 0);
-        const QJsonObject cap = track.json().value(QStringLiteral("robots")).toObject().value(QStringLiteral("cap")).toObject();
+        const QJsonObject cap =
+            track.json().value(QStringLiteral("robots")).toObject().value(QStringLiteral("cap")).toObject();
         QCOMPARE(cap.value(QStringLiteral("frames")).toInt(), 100);
         QVERIFY(cap.value(QStringLiteral("tracked")).toInt() >= 99);
         QVERIFY2(track.json().value(QStringLiteral("warnings")).toArray().isEmpty(), track.err);
@@ -118,7 +133,10 @@ private:
     void compareWithReference()
     {
         const QString out = m_folder.filePath(QStringLiteral("cap.csv"));
-        QCOMPARE(good({QStringLiteral("export"), project(), QStringLiteral("walk"), QStringLiteral("-o"), out}).exitStatus, 0);
+        QCOMPARE(
+            good({QStringLiteral("export"), project(), QStringLiteral("walk"), QStringLiteral("-o"), out})
+                .exitStatus,
+            0);
         const auto rows = [](const QString &name) {
             QFile file(name);
             QList<QList<QByteArray>> all;
@@ -152,9 +170,10 @@ private:
 private Q_SLOTS:
     void charucoStillsAreRefusedForBeingTooFew()
     {
-        const ProgramRun run = runProgram({QStringLiteral("calibrate"), project(), QStringLiteral("still"),
-                                           data("charuco-stills/choriginal.jpg"), QStringLiteral("--pattern"),
-                                           QStringLiteral("charuco"), QStringLiteral("--square"), QStringLiteral("40mm")});
+        const ProgramRun run =
+            runProgram({QStringLiteral("calibrate"), project(), QStringLiteral("still"),
+                        data("charuco-stills/choriginal.jpg"), QStringLiteral("--pattern"),
+                        QStringLiteral("charuco"), QStringLiteral("--square"), QStringLiteral("40mm")});
         QCOMPARE(run.exitStatus, 1);
         QVERIFY2(run.err.contains("three"), run.err);
     }

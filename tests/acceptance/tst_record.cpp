@@ -125,16 +125,20 @@ void TestRecord::badCallsFailInOneLine_data()
     row("record %/p.odo --trial x --camera sim:A", 2, "--camera");
     row("record %/p.odo --trial x --camera A=sim:A --seconds 0", 2, "--seconds is a number above zero");
     row("record %/p.odo --trial x --camera A=sim:A --seconds 1e30", 2, "of 86,400 (a day) at most");
-    row("record %/p.odo --trial x --camera A=sim:A --pre-roll 11", 2, "--pre-roll is a number of seconds from 0 to 10");
+    row("record %/p.odo --trial x --camera A=sim:A --pre-roll 11", 2,
+        "--pre-roll is a number of seconds from 0 to 10");
     row("record %/p.odo --trial x --camera A=sim:Z", 1, "there is no simulated camera Z");
     row("record %/p.odo --trial x --camera A=usb:0", 1, "no camera has such an address");
     row("record %/p.odo --trial x --camera A=sim:A --camera B=sim:A", 1, "was given twice");
     row("record %/p.odo --trial x --camera A=sim:A --robot none", 1, "none");
     row("record %/p.odo --trial live --camera A=sim:A", 1, "has a trial of that name");
     row("record %/p.odo --trial x --camera A=file:%/none.mkv", 1, "none.mkv");
-    row("record %/p.odo --trial x --camera A=sim:A --ssl-vision robots.example:1", 1, "it is no IPv4 address with a port; write it like 224.5.23.2:10006");
-    row("record --ssl-vision %/p.odo --trial x --camera A=sim:A", 1, "none of its cameras is registered to the floor");
-    row("record %/p.odo --trial x --camera A=sim:A --ssl-vision", 1, "none of its cameras is registered to the floor");
+    row("record %/p.odo --trial x --camera A=sim:A --ssl-vision robots.example:1", 1,
+        "it is no IPv4 address with a port; write it like 224.5.23.2:10006");
+    row("record --ssl-vision %/p.odo --trial x --camera A=sim:A", 1,
+        "none of its cameras is registered to the floor");
+    row("record %/p.odo --trial x --camera A=sim:A --ssl-vision", 1,
+        "none of its cameras is registered to the floor");
 }
 
 void TestRecord::badCallsFailInOneLine()

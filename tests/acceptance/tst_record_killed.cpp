@@ -4,7 +4,7 @@
 #include "core/base/steady_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/recover_job.h"
+#include "core/workflow/record/completed_recordings.h"
 #include "tests/support/noise_clip.h"
 #include "tests/support/registered_test.h"
 
@@ -78,8 +78,8 @@ Kill TestRecordKilled::recordAndKill(const QString &project, const QString &tria
     const QString first =
         QString(project).replace(QStringLiteral(".odo"), QStringLiteral(".media/%1_A.mkv").arg(trial));
     if (moment.recording &&
-        !QTest::qWaitFor([&] { return QFileInfo(first).size() > 0 || program.state() == QProcess::NotRunning; },
-                         60000))
+        !QTest::qWaitFor(
+            [&] { return QFileInfo(first).size() > 0 || program.state() == QProcess::NotRunning; }, 60000))
         qWarning("no recording began within a minute");
     QThread::msleep(
         static_cast<unsigned long>(moment.milliseconds)); // the moment of the kill is what is tested
@@ -104,9 +104,15 @@ void TestRecordKilled::lookAt(const std::filesystem::path &projectFile, const QS
     const auto told = recoverTrials(**project, {});
     QVERIFY2(told, told ? "" : told.error().message().c_str());
     QCOMPARE(told->size(), std::size_t(1));
-    const auto problems = (*project)->check(true);
-    QVERIFY2(problems && problems->empty(),
-             problems && !problems->empty() ? problems->front().what.c_str() : "");
+    auto problems = (*project)->check(true);
+    QVERIFY(problems.has_value());
+    // One killed between making its file and storing its trial left that file, which the check names ever
+    // after.
+    std::erase_if(*problems, [&trial](const ProjectProblem &problem) {
+        return problem.what.starts_with("no trial,") &&
+               problem.where.find('/' + trial.toStdString() + '_') == std::string::npos;
+    });
+    QVERIFY2(problems->empty(), problems->empty() ? "" : problems->front().what.c_str());
     const auto kept = (*project)->trials().find(trial.toStdString());
     if (!kept) {
         QVERIFY2(recordedS < mostMissingS + longestBeginS, qPrintable(QString::number(recordedS)));
@@ -116,7 +122,8 @@ void TestRecordKilled::lookAt(const std::filesystem::path &projectFile, const QS
     const auto recordings = (*project)->trials().recordings(kept->id);
     QVERIFY(recordings && !recordings->empty());
     for (const RecordingRecord &recording : *recordings) {
-        QVERIFY2(test::playsWholly((*project)->resolve(recording), recording.frameTimes.size()), recording.path.c_str());
+        QVERIFY2(test::playsWholly((*project)->resolve(recording), recording.frameTimes.size()),
+                 recording.path.c_str());
         QVERIFY(std::ranges::is_sorted(recording.frameTimes));
         const auto raw = (*project)->trials().rawTimes(recording.id);
         QVERIFY(raw.has_value());

@@ -26,7 +26,8 @@ class TestReports : public QObject
     static bool isPdf(const QString &file)
     {
         QFile pdf(file);
-        return pdf.open(QIODevice::ReadOnly) && pdf.read(5) == "%PDF-" && pdf.readAll().trimmed().endsWith("%%EOF");
+        return pdf.open(QIODevice::ReadOnly) && pdf.read(5) == "%PDF-" &&
+               pdf.readAll().trimmed().endsWith("%%EOF");
     }
 
 private Q_SLOTS:
@@ -39,8 +40,10 @@ private Q_SLOTS:
     void trialsAndTheirClass()
     {
         const QString file = path("report.pdf");
-        const ProgramRun run = report({QStringLiteral("Trial 1"), QStringLiteral("Trial 2"), QStringLiteral("-o"), file, QStringLiteral("--class"),
-                                       QStringLiteral("9B"), QStringLiteral("--teams"), QStringLiteral("--method"), QStringLiteral("--json")});
+        const ProgramRun run =
+            report({QStringLiteral("Trial 1"), QStringLiteral("Trial 2"), QStringLiteral("-o"), file,
+                    QStringLiteral("--class"), QStringLiteral("9B"), QStringLiteral("--teams"),
+                    QStringLiteral("--method"), QStringLiteral("--json")});
         QVERIFY2(run.exitStatus == 0, run.err.constData());
         QVERIFY(isPdf(file));
         QCOMPARE(run.json().value(QStringLiteral("report")).toString(), file);
@@ -50,9 +53,10 @@ private Q_SLOTS:
     void aComparison()
     {
         const QString file = path("comparison.pdf");
-        const ProgramRun run =
-            runProgram({QStringLiteral("compare"), m_project, QStringLiteral("Trial 1"), QStringLiteral("Trial 2"), QStringLiteral("--robot"),
-                        QStringLiteral("Red 2"), QStringLiteral("-o"), file, QStringLiteral("--json"), QStringLiteral("--paper"), QStringLiteral("letter")});
+        const ProgramRun run = runProgram(
+            {QStringLiteral("compare"), m_project, QStringLiteral("Trial 1"), QStringLiteral("Trial 2"),
+             QStringLiteral("--robot"), QStringLiteral("Red 2"), QStringLiteral("-o"), file,
+             QStringLiteral("--json"), QStringLiteral("--paper"), QStringLiteral("letter")});
         QVERIFY2(run.exitStatus == 0, run.err.constData());
         QVERIFY(isPdf(file));
         QVERIFY(run.json().contains(QStringLiteral("aligned_by"))); // the figures as without it
@@ -64,17 +68,21 @@ private Q_SLOTS:
         QTest::addColumn<QString>("words");
         const QString o = QStringLiteral("-o"), trial = QStringLiteral("Trial 1"), file = path("none.pdf");
         QTest::newRow("no file") << QStringList{trial} << 2 << QStringLiteral("-o is missing");
-        QTest::newRow("nothing to report") << QStringList{o, file} << 2 << QStringLiteral("name a trial, or a class");
-        QTest::newRow("task without class") << QStringList{trial, o, file, QStringLiteral("--task"), QStringLiteral("x")} << 2
-                                            << QStringLiteral("--task needs --class");
-        QTest::newRow("paper") << QStringList{trial, o, file, QStringLiteral("--paper"), QStringLiteral("a3")} << 2
-                               << QStringLiteral("--paper is a4 or letter");
-        QTest::newRow("trial") << QStringList{trial, QStringLiteral("Trial 9"), o, file} << 1 << QStringLiteral("Trial 9");
+        QTest::newRow("nothing to report")
+            << QStringList{o, file} << 2 << QStringLiteral("name a trial, or a class");
+        QTest::newRow("task without class")
+            << QStringList{trial, o, file, QStringLiteral("--task"), QStringLiteral("x")} << 2
+            << QStringLiteral("--task needs --class");
+        QTest::newRow("paper") << QStringList{trial, o, file, QStringLiteral("--paper"), QStringLiteral("a3")}
+                               << 2 << QStringLiteral("--paper is a4 or letter");
+        QTest::newRow("trial") << QStringList{trial, QStringLiteral("Trial 9"), o, file} << 1
+                               << QStringLiteral("Trial 9");
         QTest::newRow("class") << QStringList{o, file, QStringLiteral("--class"), QStringLiteral("7C")} << 1
                                << QStringLiteral("class '7C': the project has '9B'");
         QTest::newRow("logo") << QStringList{trial, o, file, QStringLiteral("--logo"), path("no.png")} << 1
                               << QStringLiteral("there is no such file");
-        QTest::newRow("folder") << QStringList{trial, o, path("no/where.pdf")} << 1 << QStringLiteral("there is no folder");
+        QTest::newRow("folder") << QStringList{trial, o, path("no/where.pdf")} << 1
+                                << QStringLiteral("there is no folder");
     }
     void whatCannotBeIsSaidInALine()
     {

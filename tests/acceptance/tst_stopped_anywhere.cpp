@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Import, track, export, reprocess, pack and record, ended by SIGKILL or SIGTERM at random moments: the project stays whole, what was acknowledged is
-// there, and check names every file that was left in the media folder. ODOGRAPH_STOPS says how many must hit a call before it has ended; 19 without it,
-// three of thirteen by SIGTERM.
+// Import, track, export, reprocess, pack and record, ended by SIGKILL or SIGTERM at random moments: the
+// project stays whole, what was acknowledged is there, and check names every file that was left in the media
+// folder. ODOGRAPH_STOPS says how many must hit a call before it has ended; 19 without it, three of thirteen
+// by SIGTERM.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/pack_job.h"
-#include "core/workflow/recover_job.h"
-#include "core/workflow/stray_jobs.h"
+#include "core/workflow/media_repair.h"
+#include "core/workflow/project_copy.h"
+#include "core/workflow/record/completed_recordings.h"
 #include "tests/support/demo_lesson.h"
 #include "tests/support/patience.h"
 
@@ -25,7 +26,8 @@ using namespace odo;
 
 namespace {
 
-constexpr int stopsALesson = 26, longestStopMs = 3000 * test::slowness, longestRunMs = 120'000 * test::slowness;
+constexpr int stopsALesson = 26, longestStopMs = 3000 * test::slowness,
+              longestRunMs = 120'000 * test::slowness;
 constexpr const char *packArgument = "--pack";
 
 /// A call that is ended: of the program, or, of packing, which is a window's, of this one.
@@ -70,24 +72,33 @@ Call TestStoppedAnywhere::callOf(int number) const
     switch (number % 6) {
     case 0: // as from another disk
         return {QStringLiteral("import"),
-                {QStringLiteral("import"), project, QStringLiteral("--trial"), trial, QStringLiteral("--sync"), QStringLiteral("none"),
-                 QStringLiteral("--video"), QStringLiteral("A=") + path(QStringLiteral("elsewhere/circle_A.mkv")),
-                 QStringLiteral("--video"), QStringLiteral("B=") + path(QStringLiteral("elsewhere/circle_B.mkv"))},
+                {QStringLiteral("import"), project, QStringLiteral("--trial"), trial,
+                 QStringLiteral("--sync"), QStringLiteral("none"), QStringLiteral("--video"),
+                 QStringLiteral("A=") + path(QStringLiteral("elsewhere/circle_A.mkv")),
+                 QStringLiteral("--video"),
+                 QStringLiteral("B=") + path(QStringLiteral("elsewhere/circle_B.mkv"))},
                 500};
     case 1:
-        return {QStringLiteral("track"), {QStringLiteral("track"), project, QStringLiteral("straight")}, 2000};
+        return {
+            QStringLiteral("track"), {QStringLiteral("track"), project, QStringLiteral("straight")}, 2000};
     case 2:
         return {QStringLiteral("export"),
-                {QStringLiteral("export"), project, QStringLiteral("straight"), QStringLiteral("-o"), path(QStringLiteral("out.csv"))},
+                {QStringLiteral("export"), project, QStringLiteral("straight"), QStringLiteral("-o"),
+                 path(QStringLiteral("out.csv"))},
                 250};
     case 3:
-        return {QStringLiteral("reprocess"), {QStringLiteral("reprocess"), project, QStringLiteral("straight"), QStringLiteral("--keep")}, 600};
+        return {QStringLiteral("reprocess"),
+                {QStringLiteral("reprocess"), project, QStringLiteral("straight"), QStringLiteral("--keep")},
+                600};
     case 4:
-        return {QStringLiteral("pack"), {QString::fromLatin1(packArgument), project, path(QStringLiteral("out.zip"))}, 600};
+        return {QStringLiteral("pack"),
+                {QString::fromLatin1(packArgument), project, path(QStringLiteral("out.zip"))},
+                600};
     default:
         return {QStringLiteral("record"),
-                {QStringLiteral("record"), project, QStringLiteral("--trial"), trial, QStringLiteral("--camera"), QStringLiteral("A=sim:A"),
-                 QStringLiteral("--seconds"), QStringLiteral("5")},
+                {QStringLiteral("record"), project, QStringLiteral("--trial"), trial,
+                 QStringLiteral("--camera"), QStringLiteral("A=sim:A"), QStringLiteral("--seconds"),
+                 QStringLiteral("5")},
                 3000};
     }
 }
@@ -96,7 +107,8 @@ void TestStoppedAnywhere::stop(const Call &call, int signal, int afterMs)
 {
     QProcess program;
     const bool packs = call.name == QStringLiteral("pack");
-    program.start(packs ? QCoreApplication::applicationFilePath() : qEnvironmentVariable("ODOGRAPH_PROGRAM"), call.arguments);
+    program.start(packs ? QCoreApplication::applicationFilePath() : qEnvironmentVariable("ODOGRAPH_PROGRAM"),
+                  call.arguments);
     QVERIFY(program.waitForStarted());
     if (!program.waitForFinished(afterMs)) { // the moment is what is tested
         QElapsedTimer since;
@@ -109,7 +121,8 @@ void TestStoppedAnywhere::stop(const Call &call, int signal, int afterMs)
     }
     const QByteArray answer = program.readAllStandardOutput(), error = program.readAllStandardError();
     const int status = program.exitStatus() == QProcess::NormalExit ? program.exitCode() : -1;
-    QVERIFY2(status == -1 || status == 0 || status == 128 + SIGTERM, (call.name.toUtf8() + ": " + error).constData());
+    QVERIFY2(status == -1 || status == 0 || status == 128 + SIGTERM,
+             (call.name.toUtf8() + ": " + error).constData());
     const bool isKept = call.name == QStringLiteral("record") && answer.contains(" recorded: ");
     if (isKept || (call.name == QStringLiteral("import") && status == 0))
         m_acknowledged.insert(call.arguments[3].toStdString());
@@ -119,7 +132,8 @@ void TestStoppedAnywhere::stop(const Call &call, int signal, int afterMs)
 /// The project is whole and holds all that was acknowledged, once what was cut off is completed.
 void TestStoppedAnywhere::lookAtProject(bool withHashes)
 {
-    const auto project = Project::open(path(QStringLiteral("demo.odo")).toStdString(), Project::Access::ReadWrite);
+    const auto project =
+        Project::open(path(QStringLiteral("demo.odo")).toStdString(), Project::Access::ReadWrite);
     QVERIFY2(project, project ? "" : project.error().message().c_str());
     const auto recovered = recoverTrials(**project, {});
     QVERIFY2(recovered, recovered ? "" : recovered.error().message().c_str());
@@ -131,7 +145,8 @@ void TestStoppedAnywhere::lookAtProject(bool withHashes)
         for (const RecordingRecord &recording : recordings)
             QVERIFY2(std::filesystem::exists((*project)->resolve(recording)), recording.path.c_str());
     }
-    QVERIFY((*project)->analyses().currentMetrics((*project)->trials().find("straight")->id).value().size() == 1);
+    QVERIFY((*project)->analyses().currentMetrics((*project)->trials().find("straight")->id).value().size() ==
+            1);
     lookAtStrays(**project, withHashes);
 }
 
@@ -148,7 +163,8 @@ void TestStoppedAnywhere::lookAtStrays(Project &project, bool withHashes)
         left.erase(QString::fromStdString(project.resolve(recording).string()));
     const auto problems = project.check(withHashes).value();
     for (const ProjectProblem &problem : problems)
-        QVERIFY2(left.erase(QString::fromStdString(problem.where)) == 1, (problem.where + ": " + problem.what).c_str());
+        QVERIFY2(left.erase(QString::fromStdString(problem.where)) == 1,
+                 (problem.where + ": " + problem.what).c_str());
     QVERIFY2(left.empty(), left.empty() ? "" : qPrintable(*left.begin()));
     m_strays += static_cast<int>(problems.size());
     FindStraysJob found;
@@ -171,7 +187,8 @@ void TestStoppedAnywhere::nothingAcknowledgedIsLost()
             QCOMPARE(test::provideDemoLesson(m_lesson->path()), QString());
             QVERIFY(QDir().mkpath(path(QStringLiteral("elsewhere"))));
             for (const QString &name : {QStringLiteral("/circle_A.mkv"), QStringLiteral("/circle_B.mkv")})
-                std::filesystem::create_hard_link(path(QStringLiteral("demo.media") + name).toStdString(), path(QStringLiteral("elsewhere") + name).toStdString());
+                std::filesystem::create_hard_link(path(QStringLiteral("demo.media") + name).toStdString(),
+                                                  path(QStringLiteral("elsewhere") + name).toStdString());
         }
         const Call call = callOf(i);
         const int signal = i % 13 % 4 == 1 ? SIGTERM : SIGKILL; // three of thirteen, of each call some
@@ -181,7 +198,8 @@ void TestStoppedAnywhere::nothingAcknowledgedIsLost()
         if (QTest::currentTestFailed())
             QFAIL(qPrintable(QStringLiteral("stop %1: %2, signal %3").arg(i).arg(call.name).arg(signal)));
     }
-    qInfo("of %d calls %d killed and %d terminated, %d strays named, %d recordings kept, %lld ms at most", i, m_killed, m_terminated, m_strays, m_recordingsKept, m_longestStopMs);
+    qInfo("of %d calls %d killed and %d terminated, %d strays named, %d recordings kept, %lld ms at most", i,
+          m_killed, m_terminated, m_strays, m_recordingsKept, m_longestStopMs);
     QVERIFY(m_killed + m_terminated >= stops);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What SIGTERM, Ctrl-C and SIGHUP do to a subcommand: a recording ends and is kept, everything else stops and leaves the project as it was.
+// What SIGTERM, Ctrl-C and SIGHUP do to a subcommand: a recording ends and is kept, everything else stops and
+// leaves the project as it was.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "tests/support/noise_clip.h"
@@ -64,8 +65,9 @@ void TestStopping::begin(const QStringList &arguments)
 /// Returns when pictures are on the disk.
 void TestStopping::beginRecording(const QStringList &more)
 {
-    begin(QStringList{QStringLiteral("record"), path("p.odo"), QStringLiteral("--trial"), QStringLiteral("run"), QStringLiteral("--camera"),
-                      QStringLiteral("A=sim:A"), QStringLiteral("--seconds"), QStringLiteral("60")} +
+    begin(QStringList{QStringLiteral("record"), path("p.odo"), QStringLiteral("--trial"),
+                      QStringLiteral("run"), QStringLiteral("--camera"), QStringLiteral("A=sim:A"),
+                      QStringLiteral("--seconds"), QStringLiteral("60")} +
           more);
     const QString video = path("p.media/run_A.mkv");
     QVERIFY(QTest::qWaitFor([&] { return QFileInfo(video).size() > 50'000; }, 30'000));
@@ -99,7 +101,8 @@ void TestStopping::aRecordingIsKept()
     QCOMPARE(end(), status);
     const QByteArray words = m_program->readAllStandardOutput(), error = m_program->readAllStandardError();
     QVERIFY2(words.startsWith("Trial run recorded: "), words);
-    QCOMPARE(error, QByteArray("odograph: recording of trial 'run': it was stopped before its time was over; what was recorded until then is kept\n"));
+    QCOMPARE(error, QByteArray("odograph: recording of trial 'run': it was stopped before its time was over; "
+                               "what was recorded until then is kept\n"));
     const auto project = Project::open(path("p.odo").toStdString(), Project::Access::ReadOnly);
     const auto trial = (*project)->trials().find("run");
     QVERIFY(trial && !trial->unfinished);
@@ -111,8 +114,9 @@ void TestStopping::aRecordingIsKept()
 
 void TestStopping::beforeAPictureNothingIsLeft()
 {
-    begin({QStringLiteral("record"), path("p.odo"), QStringLiteral("--trial"), QStringLiteral("run"), QStringLiteral("--camera"),
-           QStringLiteral("A=sim:A"), QStringLiteral("--pre-roll"), QStringLiteral("10")});
+    begin({QStringLiteral("record"), path("p.odo"), QStringLiteral("--trial"), QStringLiteral("run"),
+           QStringLiteral("--camera"), QStringLiteral("A=sim:A"), QStringLiteral("--pre-roll"),
+           QStringLiteral("10")});
     QVERIFY(QTest::qWaitFor([&] { return QFileInfo::exists(path("p.odo-wal")); }, 30'000));
     signal(SIGTERM);
     QCOMPARE(end(), 143);
@@ -142,8 +146,8 @@ void TestStopping::anImportLeavesNothing()
     QFETCH(int, number);
     QFETCH(int, status);
     QVERIFY(writeNoiseClip(path("long.mkv").toStdString(), 4).has_value());
-    begin({QStringLiteral("import"), path("p.odo"), QStringLiteral("--trial"), QStringLiteral("run"), QStringLiteral("--video"),
-           QStringLiteral("A=") + path("long.mkv")});
+    begin({QStringLiteral("import"), path("p.odo"), QStringLiteral("--trial"), QStringLiteral("run"),
+           QStringLiteral("--video"), QStringLiteral("A=") + path("long.mkv")});
     signal(number); // before it is ready for it, it is ended by it, which leaves nothing either
     const int ended = end(5000);
     QVERIFY2(ended == status || ended == -2 || ended == 0, m_program->readAllStandardError());
@@ -158,11 +162,16 @@ void TestStopping::theCommandIsNamed()
 {
     const QString folder = path("lesson");
     begin({QStringLiteral("demo"), folder});
-    const auto isRendering = [&] { return QDirIterator(folder, {QStringLiteral("*.mkv")}, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories).hasNext(); };
+    const auto isRendering = [&] {
+        return QDirIterator(folder, {QStringLiteral("*.mkv")}, QDir::Files | QDir::Hidden,
+                            QDirIterator::Subdirectories)
+            .hasNext();
+    };
     QVERIFY(QTest::qWaitFor(isRendering, 60'000));
     signal(SIGINT);
     QCOMPARE(end(), 130);
-    QCOMPARE(m_program->readAllStandardError(), QByteArray("odograph: demo: cancelled; nothing was changed\n"));
+    QCOMPARE(m_program->readAllStandardError(),
+             QByteArray("odograph: demo: cancelled; nothing was changed\n"));
     QVERIFY(!QFileInfo::exists(folder));
 }
 
@@ -176,7 +185,8 @@ void TestStopping::theSecondInterruptEndsAtOnce()
     signal(SIGINT);
     QCOMPARE(end(), 130);
     QVERIFY2(since.elapsed() < 1000, qPrintable(QString::number(since.elapsed())));
-    const ProgramRun recovered = runProgram({QStringLiteral("record"), path("p.odo"), QStringLiteral("--recover")});
+    const ProgramRun recovered =
+        runProgram({QStringLiteral("record"), path("p.odo"), QStringLiteral("--recover")});
     QCOMPARE(recovered.exitStatus, 0);
     QCOMPARE(runProgram({QStringLiteral("check"), path("p.odo")}).exitStatus, 0);
 }
@@ -194,7 +204,8 @@ void TestStopping::aWindowEndsAsIfClosed()
     QVERIFY(QTest::qWaitFor([&] { return QFileInfo::exists(path("p.odo-wal")); }, 30'000));
     signal(number);
     QCOMPARE(end(), 0);
-    QCOMPARE(QDir(m_folder->path()).entryList({QStringLiteral("p.odo-*")}).size(), 0); // it was closed in good order
+    // it was closed in good order
+    QCOMPARE(QDir(m_folder->path()).entryList({QStringLiteral("p.odo-*")}).size(), 0);
 }
 
 ODOGRAPH_TEST(TestStopping, QCoreApplication)

@@ -41,26 +41,36 @@ private Q_SLOTS:
         robot.motion = makeCircleMotion({1.5, 1.1}, 0.5, 1.0, 0.5);
         scene.robots.push_back(robot);
         for (const int camera : {0, 1}) {
-            const auto file = m_folder.filePath(camera == 0 ? QStringLiteral("a.mkv") : QStringLiteral("b.mkv"));
+            const auto file =
+                m_folder.filePath(camera == 0 ? QStringLiteral("a.mkv") : QStringLiteral("b.mkv"));
             QVERIFY(renderVideo(scene, camera, file.toStdString(), {}, {}).has_value());
-            const auto lens = m_folder.filePath(camera == 0 ? QStringLiteral("a.yaml") : QStringLiteral("b.yaml"));
+            const auto lens =
+                m_folder.filePath(camera == 0 ? QStringLiteral("a.yaml") : QStringLiteral("b.yaml"));
             const SimulatedCamera &simulated = scene.cameras[std::size_t(camera)];
-            QVERIFY(writeIntrinsics(lens.toStdString(), simulated.name, simulated.view.camera().intrinsics()).has_value());
+            QVERIFY(writeIntrinsics(lens.toStdString(), simulated.name, simulated.view.camera().intrinsics())
+                        .has_value());
         }
         write("layout.csv", "label,x_mm,y_mm\nO,0,0\nU,3000,0\nV,0,2200\nD,3000,2200\n");
         // From the centre outwards a gate is passed anticlockwise only from its right to its left.
-        write("quarter.json", "{\"template\": \"circle\",\n"
-                              " \"gates\": [\n"
-                              "  {\"name\": \"begin\", \"role\": \"start\", \"from_mm\": [2200, 1800], \"to_mm\": [1500, 1100]},\n"
-                              "  {\"name\": \"wrong way\", \"role\": \"split\", \"from_mm\": [1500, 1100], \"to_mm\": [2200, 1800]},\n"
-                              "  {\"name\": \"end\", \"role\": \"finish\", \"from_mm\": [1500, 1900], \"to_mm\": [1500, 1100]}],\n"
-                              " \"reference_path\": {\"circle\": {\"centre_mm\": [1500, 1100], \"radius_mm\": 480}}}\n");
+        write("quarter.json",
+              "{\"template\": \"circle\",\n"
+              " \"gates\": [\n"
+              "  {\"name\": \"begin\", \"role\": \"start\", \"from_mm\": [2200, 1800], \"to_mm\": [1500, "
+              "1100]},\n"
+              "  {\"name\": \"wrong way\", \"role\": \"split\", \"from_mm\": [1500, 1100], \"to_mm\": [2200, "
+              "1800]},\n"
+              "  {\"name\": \"end\", \"role\": \"finish\", \"from_mm\": [1500, 1900], \"to_mm\": [1500, "
+              "1100]}],\n"
+              " \"reference_path\": {\"circle\": {\"centre_mm\": [1500, 1100], \"radius_mm\": 480}}}\n");
         write("slow.json", "{\"limits\": {\"speed_mm_s\": 300}}");
-        write("bad.json", "{\"gates\": [\n{\"name\": \"a\", \"role\": \"goal\", \"from_mm\": [0, 0], \"to_mm\": [1, 1]}]}");
-        for (const char *line : {"new %P --title Lesson", "robot add %P red --colour #d72328 --height 60mm --size 260x190",
-                                 "layout add %P floor %/layout.csv", "intrinsics import %P A %/a.yaml",
-                                 "intrinsics import %P B %/b.yaml", "register %P --camera A --layout floor --video %/a.mkv",
-                                 "register %P --camera B --layout floor --video %/b.mkv"})
+        write(
+            "bad.json",
+            "{\"gates\": [\n{\"name\": \"a\", \"role\": \"goal\", \"from_mm\": [0, 0], \"to_mm\": [1, 1]}]}");
+        for (const char *line :
+             {"new %P --title Lesson", "robot add %P red --colour #d72328 --height 60mm --size 260x190",
+              "layout add %P floor %/layout.csv", "intrinsics import %P A %/a.yaml",
+              "intrinsics import %P B %/b.yaml", "register %P --camera A --layout floor --video %/a.mkv",
+              "register %P --camera B --layout floor --video %/b.mkv"})
             QCOMPARE(good(line).exitStatus, 0);
     }
 
@@ -84,9 +94,18 @@ private Q_SLOTS:
 
     void aTrialIsMeasuredByItsTask()
     {
-        QCOMPARE(good("import %P --trial run1 --video A=%/a.mkv --video B=%/b.mkv --sync 0 --task quarter --robot red").exitStatus, 0);
-        QCOMPARE(good("list %P --json").json().value(QStringLiteral("trials")).toArray()[0].toObject()
-                     .value(QStringLiteral("task")).toString(), QStringLiteral("quarter"));
+        QCOMPARE(good("import %P --trial run1 --video A=%/a.mkv --video B=%/b.mkv --sync 0 --task quarter "
+                      "--robot red")
+                     .exitStatus,
+                 0);
+        QCOMPARE(good("list %P --json")
+                     .json()
+                     .value(QStringLiteral("trials"))
+                     .toArray()[0]
+                     .toObject()
+                     .value(QStringLiteral("task"))
+                     .toString(),
+                 QStringLiteral("quarter"));
         const ProgramRun tracked = good("track %P run1 --json");
         const QJsonObject robot = robotOf(tracked);
         const QJsonArray gates = robot.value(QStringLiteral("gates")).toArray();
@@ -110,7 +129,8 @@ private Q_SLOTS:
         for (const char *part : {"gates", "laps", "path"})
             QCOMPARE(shown.value(QString::fromLatin1(part)), robot.value(QString::fromLatin1(part)));
         const QByteArray text = good("show %P run1").out;
-        for (const char *words : {"gate begin at 0.6", "gate end at 1.0", "run 1: 0.3", "cross_track_rms", "gate_time"})
+        for (const char *words :
+             {"gate begin at 0.6", "gate end at 1.0", "run 1: 0.3", "cross_track_rms", "gate_time"})
             QVERIFY2(text.contains(words), words);
         QVERIFY(good("track %P run1 --again").out.contains("gate time 0.3"));
         QCOMPARE(good("check %P").exitStatus, 0);
@@ -118,12 +138,16 @@ private Q_SLOTS:
 
     void aTaskIsGivenLaterWithoutDecoding()
     {
-        QCOMPARE(good("import %P --trial later --video A=%/a.mkv --video B=%/b.mkv --sync 0 --robot red").exitStatus, 0);
+        QCOMPARE(good("import %P --trial later --video A=%/a.mkv --video B=%/b.mkv --sync 0 --robot red")
+                     .exitStatus,
+                 0);
         const QJsonObject before = robotOf(good("track %P later --json"));
         QVERIFY(before.value(QStringLiteral("gates")).toArray().isEmpty());
         QVERIFY(!before.contains(QStringLiteral("path")));
         QCOMPARE(good("task set %P later quarter").exitStatus, 0);
-        QCOMPARE(robotOf(good("track %P later --again --json")).value(QStringLiteral("gates")).toArray().size(), 2);
+        QCOMPARE(
+            robotOf(good("track %P later --again --json")).value(QStringLiteral("gates")).toArray().size(),
+            2);
     }
 
     void limitsThatTheRobotBreaksAllTheTimeAreLeftOutAndSaid()
@@ -135,8 +159,9 @@ private Q_SLOTS:
         QVERIFY(at(robotOf(tracked), "max_speed_m_s") > 0.9);
         const QString warning = tracked.json().value(QStringLiteral("warnings")).toArray().at(0).toString();
         QVERIFY2(warning.startsWith(QStringLiteral("robot 'red' in trial 'run1': ")) &&
-                     warning.endsWith(QStringLiteral("is beyond the limits of task 'slow', so that they were left out; give the "
-                                                     "task the limits of its fastest robot")),
+                     warning.endsWith(QStringLiteral(
+                         "is beyond the limits of task 'slow', so that they were left out; give the "
+                         "task the limits of its fastest robot")),
                  qPrintable(warning));
     }
 
@@ -150,17 +175,22 @@ private Q_SLOTS:
         QVERIFY(changes.has_value());
         for (const ChangeEntry &entry : *changes)
             told.prepend(QString::fromStdString(entry.words));
-        const QStringList expected{
-            QStringLiteral("add robot red"),          QStringLiteral("add layout floor"),
-            QStringLiteral("import the lens of camera A from a.yaml"), QStringLiteral("register camera A"),
-            QStringLiteral("add task quarter"),       QStringLiteral("import trial run1"),
-            QStringLiteral("track run1"),             QStringLiteral("measure run1 again"),
-            QStringLiteral("give later the task quarter"), QStringLiteral("give run1 the task slow")};
+        const QStringList expected{QStringLiteral("add robot red"),
+                                   QStringLiteral("add layout floor"),
+                                   QStringLiteral("import the lens of camera A from a.yaml"),
+                                   QStringLiteral("register camera A"),
+                                   QStringLiteral("add task quarter"),
+                                   QStringLiteral("import trial run1"),
+                                   QStringLiteral("track run1"),
+                                   QStringLiteral("measure run1 again"),
+                                   QStringLiteral("give later the task quarter"),
+                                   QStringLiteral("give run1 the task slow")};
         qsizetype place = 0;
         for (const QString &words : expected) {
             const qsizetype next = told.indexOf(words, place);
             QVERIFY2(next >= 0, qPrintable(words + QStringLiteral(" in ") + told.join(QStringLiteral(", "))));
-            if (!words.startsWith(QLatin1String("register")) && !words.startsWith(QLatin1String("import the lens")))
+            if (!words.startsWith(QLatin1String("register")) &&
+                !words.startsWith(QLatin1String("import the lens")))
                 place = next;
         }
     }
@@ -172,12 +202,16 @@ private Q_SLOTS:
         row("task", 2, "something is missing");
         row("task paint %P", 2, "give add P.odo NAME task.json, list P.odo, or set P.odo TRIAL NAME");
         row("task add %P name", 2, "give add P.odo NAME task.json");
-        row("task add %P quarter %/quarter.json", 1, "task 'quarter': the project has a task of that name already");
-        row("task add %P bad %/bad.json", 1, "bad.json:2: role 'goal': there is no such role; use start, finish");
+        row("task add %P quarter %/quarter.json", 1,
+            "task 'quarter': the project has a task of that name already");
+        row("task add %P bad %/bad.json", 1,
+            "bad.json:2: role 'goal': there is no such role; use start, finish");
         row("task add %P none %/none.json", 1, "none.json");
-        row("task set %P run1 unknown", 1, "task 'unknown': there is no such task in the project; it has 'quarter'");
+        row("task set %P run1 unknown", 1,
+            "task 'unknown': there is no such task in the project; it has 'quarter'");
         row("task set %P nowhere quarter", 1, "trial 'nowhere': there is no such trial");
-        row("import %P --trial new --video A=%/a.mkv --task unknown", 1, "task 'unknown': there is no such task");
+        row("import %P --trial new --video A=%/a.mkv --task unknown", 1,
+            "task 'unknown': there is no such task");
     }
     void badCallsFailInOneLine() { badCallFailsInOneLine(); }
 };

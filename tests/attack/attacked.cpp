@@ -88,8 +88,10 @@ QString faultOf(const AttackedRun &run)
     for (const char c : run.out + run.err)
         if ((static_cast<unsigned char>(c) < 32 && c != '\n' && c != '\t') || c == 127)
             return QStringLiteral("the control character %1 is passed on").arg(int(c));
-    const bool isOneLine = run.err.count('\n') == 1 && run.err.startsWith("odograph: ") && run.err.contains("; ");
-    if (run.exitStatus != 0 && (!isOneLine || run.err.contains("nknown error") || QString::fromUtf8(run.err).size() > 2000))
+    const bool isOneLine =
+        run.err.count('\n') == 1 && run.err.startsWith("odograph: ") && run.err.contains("; ");
+    if (run.exitStatus != 0 &&
+        (!isOneLine || run.err.contains("nknown error") || QString::fromUtf8(run.err).size() > 2000))
         return QStringLiteral("no line with a reason: %1").arg(said);
     return {};
 }

@@ -20,8 +20,8 @@ struct AttackedRun
 /// Runs the program (ODOGRAPH_PROGRAM), for at most ten seconds.
 AttackedRun attacked(const QStringList &arguments);
 
-/// What is wrong with how it ended; empty: nothing. Right is: done (0), or refused (1, or 2 for a call) by one line that is a
-/// sentence; at most ten seconds and 500 MB; no control character in what a person reads.
+/// What is wrong with how it ended; empty: nothing. Right is: done (0), or refused (1, or 2 for a call) by
+/// one line that is a sentence; at most ten seconds and 500 MB; no control character in what a person reads.
 QString faultOf(const AttackedRun &run);
 
 /// Whether all cases are wanted (ODOGRAPH_WHOLE_ATTACK), or the sample that goes with each change.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sound project in which each column in its turn holds what nobody would enter: every way of reading it answers, and changes
-// nothing.
+// A sound project in which each column in its turn holds what nobody would enter: every way of reading it
+// answers, and changes nothing.
 #include "tests/attack/attacked.h"
 #include "tests/support/program.h"
 #include "tests/support/registered_test.h"
@@ -26,7 +26,12 @@ struct Column
 QByteArrayList valuesFor(const Column &column)
 {
     if (column.type == "TEXT")
-        return {"hex(zeroblob(500000))", "char(27)||'[2J'||char(8238)||char(10)||'x'", "''", "'../../../etc/passwd'", "x'ff00fe'", "-1"};
+        return {"hex(zeroblob(500000))",
+                "char(27)||'[2J'||char(8238)||char(10)||'x'",
+                "''",
+                "'../../../etc/passwd'",
+                "x'ff00fe'",
+                "-1"};
     if (column.type == "BLOB")
         return {"zeroblob(10000000)", "x'00'", "randomblob(997)", "'a text'"};
     if (column.type == "REAL")
@@ -57,8 +62,10 @@ private Q_SLOTS:
             const QByteArrayList values = valuesFor(column);
             for (const QByteArray &value : values) {
                 if (isWanted(++number, sample))
-                    QTest::addRow("%d %s.%s=%s", number, column.table.constData(), column.name.constData(), value.constData())
-                        << column.table << "UPDATE \"" + column.table + "\" SET \"" + column.name + "\"=" + value;
+                    QTest::addRow("%d %s.%s=%s", number, column.table.constData(), column.name.constData(),
+                                  value.constData())
+                        << column.table
+                        << "UPDATE \"" + column.table + "\" SET \"" + column.name + "\"=" + value;
             }
         }
         QVERIFY2(number >= 200, qPrintable(QString::number(number)));
@@ -73,7 +80,8 @@ private Q_SLOTS:
             const AttackedRun run = attacked(call);
             const QString fault = faultOf(run);
             QVERIFY2(fault.isEmpty(), qPrintable(call.join(u' ') + QStringLiteral(": ") + fault));
-            QVERIFY2(fileHash(project) == before, qPrintable(call.join(u' ') + QStringLiteral(" changed the project")));
+            QVERIFY2(fileHash(project) == before,
+                     qPrintable(call.join(u' ') + QStringLiteral(" changed the project")));
         }
     }
 
@@ -89,7 +97,8 @@ private:
                                  {QStringLiteral("report"), project, trial, out, path("out.pdf")},
                                  {QStringLiteral("export"), project, trial, out, path("out.csv")}};
         for (const char *mode : {"review", "history", "testbed", "compare"})
-            calls.append({QStringLiteral("snapshot"), project, trial, out, path("out.png"), QStringLiteral("--mode"), QString::fromLatin1(mode)});
+            calls.append({QStringLiteral("snapshot"), project, trial, out, path("out.png"),
+                          QStringLiteral("--mode"), QString::fromLatin1(mode)});
         return calls;
     }
 
@@ -97,12 +106,15 @@ private:
     {
         std::vector<Column> columns;
         const auto add = [](void *into, int, char **values, char **) {
-            static_cast<std::vector<Column> *>(into)->push_back({values[0], values[1], QByteArray(values[2]).toUpper()});
+            static_cast<std::vector<Column> *>(into)->push_back(
+                {values[0], values[1], QByteArray(values[2]).toUpper()});
             return 0;
         };
         sqlite3 *database = nullptr;
         sqlite3_open(m_sound.toUtf8().constData(), &database);
-        sqlite3_exec(database, "SELECT t.name, c.name, c.type FROM sqlite_master t, pragma_table_info(t.name) c WHERE t.type='table' AND t.name NOT LIKE 'sqlite%'",
+        sqlite3_exec(database,
+                     "SELECT t.name, c.name, c.type FROM sqlite_master t, pragma_table_info(t.name) c WHERE "
+                     "t.type='table' AND t.name NOT LIKE 'sqlite%'",
                      add, &columns, nullptr);
         sqlite3_close(database);
         return columns;
@@ -124,13 +136,17 @@ private:
         };
         const QByteArray ofTable = "FROM sqlite_master WHERE type='trigger' AND tbl_name='" + table + "'";
         sqlite3_exec(database, ("SELECT sql " + ofTable).constData(), note, &guards, nullptr);
-        sqlite3_exec(database, ("SELECT 'DROP TRIGGER \"'||name||'\"' " + ofTable).constData(), note, &drops, nullptr);
-        sqlite3_exec(database, "PRAGMA ignore_check_constraints=ON; PRAGMA foreign_keys=OFF", nullptr, nullptr, nullptr);
+        sqlite3_exec(database, ("SELECT 'DROP TRIGGER \"'||name||'\"' " + ofTable).constData(), note, &drops,
+                     nullptr);
+        sqlite3_exec(database, "PRAGMA ignore_check_constraints=ON; PRAGMA foreign_keys=OFF", nullptr,
+                     nullptr, nullptr);
         for (const QByteArray &drop : drops)
             sqlite3_exec(database, drop.constData(), nullptr, nullptr, nullptr);
         // Where a column must be unique, only one row is changed.
         if (sqlite3_exec(database, sql.constData(), nullptr, nullptr, nullptr) != SQLITE_OK)
-            sqlite3_exec(database, (sql + " WHERE rowid=(SELECT min(rowid) FROM \"" + table + "\")").constData(), nullptr, nullptr, nullptr);
+            sqlite3_exec(database,
+                         (sql + " WHERE rowid=(SELECT min(rowid) FROM \"" + table + "\")").constData(),
+                         nullptr, nullptr, nullptr);
         for (const QByteArray &guard : guards)
             sqlite3_exec(database, guard.constData(), nullptr, nullptr, nullptr);
         sqlite3_exec(database, "PRAGMA wal_checkpoint(TRUNCATE)", nullptr, nullptr, nullptr);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables that are no tables, or hold what no table should: each is read as what it is, or refused by a line, and a refused one
-// leaves the project as it was.
+// Tables that are no tables, or hold what no table should: each is read as what it is, or refused by a line,
+// and a refused one leaves the project as it was.
 #include "tests/attack/attacked.h"
 #include "tests/support/program.h"
 #include "tests/support/registered_test.h"
@@ -13,11 +13,13 @@ using namespace odo::test;
 
 namespace {
 
-QByteArray track(const QByteArray &header, const QByteArray &separator, int rows, const QByteArray &third = {})
+QByteArray track(const QByteArray &header, const QByteArray &separator, int rows,
+                 const QByteArray &third = {})
 {
     QByteArray table = header + '\n';
     for (int i = 0; i < rows; ++i)
-        table += QByteArray::number(i / 30.0, 'f', 4) + separator + QByteArray::number(10 * i) + separator + (third.isEmpty() ? QByteArray::number(5 * i) : third) + '\n';
+        table += QByteArray::number(i / 30.0, 'f', 4) + separator + QByteArray::number(10 * i) + separator +
+                 (third.isEmpty() ? QByteArray::number(5 * i) : third) + '\n';
     return table;
 }
 
@@ -45,13 +47,16 @@ private Q_SLOTS:
         QFETCH(QByteArray, content);
         const QString table = path("table.csv");
         QFile file(table);
-        QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate) && file.write(content) == content.size());
+        QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate) &&
+                file.write(content) == content.size());
         file.close();
         static int trial = 0;
         const QString project = path("p.odo");
         const QList<QStringList> calls{
-            {QStringLiteral("import"), project, QStringLiteral("--trial"), QString::number(++trial), QStringLiteral("--track"), QStringLiteral("R=") + table},
-            {QStringLiteral("layout"), QStringLiteral("add"), project, QStringLiteral("floor %1").arg(trial), table},
+            {QStringLiteral("import"), project, QStringLiteral("--trial"), QString::number(++trial),
+             QStringLiteral("--track"), QStringLiteral("R=") + table},
+            {QStringLiteral("layout"), QStringLiteral("add"), project, QStringLiteral("floor %1").arg(trial),
+             table},
             {QStringLiteral("intrinsics"), QStringLiteral("import"), project, QStringLiteral("A"), table}};
         for (const QStringList &call : calls) {
             const QByteArray before = fileHash(project);
@@ -90,11 +95,16 @@ private:
                       {"a formula", track(header, ",", 50, "=1+1")},
                       {"control characters", "t_s,\x1b[2Jx_mm,y_mm\n" + track(header, ",", 5)}};
         for (const QByteArray separator : {";", "\t", "|", " ", ":", "  "})
-            tables.emplace_back("separated by '" + separator + "'", track(QByteArray(header).replace(",", separator), separator, 50));
-        for (const QByteArray value : {"nan", "inf", "-inf", "1e300", "-1e300", "1e-300", "", " ", "\"", "1,5", "1.5.5", "0x10", "1e", "abc", "１２", "∞", "1'000", "--5", "9999999999999999999999"})
+            tables.emplace_back("separated by '" + separator + "'",
+                                track(QByteArray(header).replace(",", separator), separator, 50));
+        for (const QByteArray value :
+             {"nan", "inf", "-inf", "1e300", "-1e300", "1e-300", "", " ", "\"", "1,5", "1.5.5", "0x10", "1e",
+              "abc", "１２", "∞", "1'000", "--5", "9999999999999999999999"})
             tables.emplace_back("the value " + value, track(header, ",", 50, value));
-        for (const QByteArray names : {"t,x,y", "time,x,y", "t_s,x_mm,x_mm", "t_s,y_mm,x_mm", "a,b,c", "x_mm,y_mm,t_s", "t_s,x_m,y_m", "t_s,x_mm", "t_s,x_mm,y_mm,t_s", ",,", "label,x_mm,y_mm", "label,u,v",
-                                       "camera_name,fx,fy", "T_S,X_MM,Y_MM", "t_s, x_mm , y_mm", "\"t_s\",\"x_mm\",\"y_mm\""})
+        for (const QByteArray names :
+             {"t,x,y", "time,x,y", "t_s,x_mm,x_mm", "t_s,y_mm,x_mm", "a,b,c", "x_mm,y_mm,t_s", "t_s,x_m,y_m",
+              "t_s,x_mm", "t_s,x_mm,y_mm,t_s", ",,", "label,x_mm,y_mm", "label,u,v", "camera_name,fx,fy",
+              "T_S,X_MM,Y_MM", "t_s, x_mm , y_mm", "\"t_s\",\"x_mm\",\"y_mm\""})
             tables.emplace_back("the header " + names, track(names, ",", 50));
         addTimes(tables, header);
         addMarkers(tables);
@@ -106,7 +116,8 @@ private:
         const auto times = [&](const char *name, const std::function<double(int)> &time) {
             QByteArray table = header + '\n';
             for (int i = 0; i < 60; ++i)
-                table += QByteArray::number(time(i), 'g', 17) + ',' + QByteArray::number(i) + ',' + QByteArray::number(-i) + '\n';
+                table += QByteArray::number(time(i), 'g', 17) + ',' + QByteArray::number(i) + ',' +
+                         QByteArray::number(-i) + '\n';
             tables.emplace_back(name, table);
         };
         times("times that stand", [](int) { return 1.0; });
@@ -128,16 +139,21 @@ private:
         tables.emplace_back("markers far away", header + "O,1e300,0\nU,1,0\nV,0,1e300\nD,1,1\n");
         tables.emplace_back("markers of one name", header + "O,0,0\nO,1,0\nO,0,1\nO,1,1\n");
         tables.emplace_back("markers without names", header + ",0,0\n,1,0\n,0,1\n");
-        tables.emplace_back("a marker with a long name", header + QByteArray(100'000, 'n') + ",0,0\nU,1000,0\nV,0,1000\n");
+        tables.emplace_back("a marker with a long name",
+                            header + QByteArray(100'000, 'n') + ",0,0\nU,1000,0\nV,0,1000\n");
         tables.emplace_back("a marker that is an escape", header + "\x1b[31m,0,0\nU,1000,0\nV,0,1000\n");
         QByteArray many = header;
         for (int i = 0; i < 100'000; ++i)
             many += 'm' + QByteArray::number(i) + ',' + QByteArray::number(i) + ",0\n";
         tables.emplace_back("a hundred thousand markers", many);
-        tables.emplace_back("lens of nonsense", "image_width: -1\nimage_height: 1e9\ncamera_matrix: {rows: 3, cols: 3, data: [nan,0,0,0,1e300,0,0,0,1]}\n");
+        tables.emplace_back("lens of nonsense", "image_width: -1\nimage_height: 1e9\ncamera_matrix: {rows: "
+                                                "3, cols: 3, data: [nan,0,0,0,1e300,0,0,0,1]}\n");
         tables.emplace_back("lens without a matrix", "image_width: 640\nimage_height: 480\n");
-        tables.emplace_back("lens with two thousand million rows", "image_width: 640\nimage_height: 480\ncamera_matrix: {rows: 2000000000, cols: 3, data: [1,0,0]}\n");
-        tables.emplace_back("OpenCV's lens, cut", "%YAML:1.0\n---\ncamera_matrix: !!opencv-matrix\n   rows: 3\n");
+        tables.emplace_back("lens with two thousand million rows",
+                            "image_width: 640\nimage_height: 480\ncamera_matrix: {rows: 2000000000, cols: 3, "
+                            "data: [1,0,0]}\n");
+        tables.emplace_back("OpenCV's lens, cut",
+                            "%YAML:1.0\n---\ncamera_matrix: !!opencv-matrix\n   rows: 3\n");
     }
 
     QString path(const char *name) const { return m_folder.filePath(QString::fromLatin1(name)); }

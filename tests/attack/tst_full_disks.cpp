@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Disks of twenty sizes, on each of which another step of a lesson finds no room: it is refused by a line with the system's reason, and
-// the project is as it was. Needs the right to mount a disk in memory (root in a namespace of its own).
+// Disks of twenty sizes, on each of which another step of a lesson finds no room: it is refused by a line
+// with the system's reason, and the project is as it was. Needs the right to mount a disk in memory (root in
+// a namespace of its own).
 #include "tests/attack/attacked.h"
 #include "tests/support/program.h"
 #include "tests/support/registered_test.h"
@@ -22,7 +23,8 @@ private Q_SLOTS:
     {
         const auto file = storeExample(m_folder.path().toStdString());
         QVERIFY(file);
-        if (runCommand(QStringLiteral("unshare"), {QStringLiteral("-m"), QStringLiteral("true")}).exitStatus != 0)
+        if (runCommand(QStringLiteral("unshare"), {QStringLiteral("-m"), QStringLiteral("true")})
+                .exitStatus != 0)
             QSKIP("no disk can be mounted here");
     }
 
@@ -59,8 +61,10 @@ private Q_SLOTS:
         QFile file(m_folder.filePath(QStringLiteral("steps.sh")));
         QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate) && file.write(script) == script.size());
         file.close();
-        const ProgramRun run = runCommand(QStringLiteral("unshare"), {QStringLiteral("-m"), QStringLiteral("bash"), file.fileName(), m_folder.filePath(QStringLiteral("disk")),
-                                                                      m_folder.path(), QString::number(freeKb)});
+        const ProgramRun run =
+            runCommand(QStringLiteral("unshare"),
+                       {QStringLiteral("-m"), QStringLiteral("bash"), file.fileName(),
+                        m_folder.filePath(QStringLiteral("disk")), m_folder.path(), QString::number(freeKb)});
         QVERIFY2(run.exitStatus == 0, run.err.constData());
         for (const QByteArray &line : run.out.split('\n')) {
             const QByteArrayList parts = line.split('|');
@@ -68,7 +72,9 @@ private Q_SLOTS:
                 continue;
             const int status = parts[1].toInt(), lines = parts[2].toInt();
             QVERIFY2(status == 0 || status == 1, line.constData());
-            QVERIFY2(status == 0 || (lines == 1 && parts[3].startsWith("odograph: ") && !parts[3].contains("nknown error")), line.constData());
+            QVERIFY2(status == 0 || (lines == 1 && parts[3].startsWith("odograph: ") &&
+                                     !parts[3].contains("nknown error")),
+                     line.constData());
             if (parts[0] == "check") // only the video that the example lacks may be missed
                 QVERIFY2(!parts[3].contains("damaged"), line.constData());
         }

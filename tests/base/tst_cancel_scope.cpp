@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/cancel_scope.h"
+#include "core/base/job_control.h"
 #include "core/base/shortage.h"
 #include "tests/support/registered_test.h"
 
@@ -22,7 +22,8 @@ private Q_SLOTS:
         };
         QCOMPARE(orShortage("the work", work).value(), 7);
         cancel.cancel();
-        QCOMPARE(orShortage("the work", work).error().message(), std::string("the work: cancelled; nothing was changed"));
+        QCOMPARE(orShortage("the work", work).error().message(),
+                 std::string("the work: cancelled; nothing was changed"));
         QCOMPARE(orShortage("the work", work).error().code, ErrorCode::Cancelled);
         endIfCancelled(); // outside of it nothing ends
         QVERIFY(!CancelScope::current());

@@ -75,8 +75,14 @@ class TestCrashReport : public QObject
 {
     Q_OBJECT
     std::unique_ptr<QTemporaryDir> m_folder;
-    std::filesystem::path folder() const { return m_folder->filePath(QStringLiteral("state/odograph")).toStdString(); }
-    QStringList left() const { return QDir(m_folder->filePath(QStringLiteral("state/odograph"))).entryList(QDir::Files); }
+    std::filesystem::path folder() const
+    {
+        return m_folder->filePath(QStringLiteral("state/odograph")).toStdString();
+    }
+    QStringList left() const
+    {
+        return QDir(m_folder->filePath(QStringLiteral("state/odograph"))).entryList(QDir::Files);
+    }
 
 private Q_SLOTS:
     void init()
@@ -178,7 +184,8 @@ private Q_SLOTS:
         write(QStringLiteral("notes.txt"), "signal: SIGSEGV\n");
         const std::vector<CrashReport> reports = newCrashReports(folder());
         QCOMPARE(reports.size(), std::size_t(16));
-        QVERIFY(reports[0].file.filename() == "crash-20261110T120000Z-1.txt" && reports[0].signal == "SIGSEGV");
+        QVERIFY(reports[0].file.filename() == "crash-20261110T120000Z-1.txt" &&
+                reports[0].signal == "SIGSEGV");
         QVERIFY(reports[15].signal.empty());
         for (const CrashReport &report : reports)
             QCOMPARE(keepToldReport(report).filename().string(), "told-" + report.file.filename().string());

@@ -14,16 +14,19 @@ class TestError : public QObject
 private Q_SLOTS:
     void isOneLine()
     {
-        QCOMPARE((Error{ErrorCode::Io, "file 'a\nb'", "it is full", "make room"}).message(), std::string("file 'a b': it is full; make room"));
+        QCOMPARE((Error{ErrorCode::Io, "file 'a\nb'", "it is full", "make room"}).message(),
+                 std::string("file 'a b': it is full; make room"));
         QCOMPARE((Error{ErrorCode::Io, "file", "it is full", ""}).message(), std::string("file: it is full"));
     }
 
     void ofALongNameTheMiddleIsLeftOut()
     {
         const std::string longName = "project '/" + QString(3000, QChar(0x00DC)).toStdString() + "end.odo'";
-        const std::string line = Error{ErrorCode::Io, longName, "its name is too long", "choose a shorter name"}.message();
+        const std::string line =
+            Error{ErrorCode::Io, longName, "its name is too long", "choose a shorter name"}.message();
         QVERIFY2(line.size() < 700, line.c_str());
-        QVERIFY(line.starts_with("project '/\u00DC") && line.ends_with("end.odo': its name is too long; choose a shorter name"));
+        QVERIFY(line.starts_with("project '/\u00DC") &&
+                line.ends_with("end.odo': its name is too long; choose a shorter name"));
         QVERIFY(line.find("\u2026") != std::string::npos);
         QCOMPARE(QString::fromStdString(line).toStdString(), line); // no character was cut in two
         QVERIFY(!QString::fromStdString(line).contains(QChar::ReplacementCharacter));

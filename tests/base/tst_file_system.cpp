@@ -20,7 +20,10 @@ class TestFileSystem : public QObject
 {
     Q_OBJECT
     QTemporaryDir m_folder;
-    std::filesystem::path path(const char *name) const { return m_folder.filePath(QString::fromUtf8(name)).toStdString(); }
+    std::filesystem::path path(const char *name) const
+    {
+        return m_folder.filePath(QString::fromUtf8(name)).toStdString();
+    }
     static std::vector<std::string> sorted(std::vector<std::string> names)
     {
         std::ranges::sort(names);
@@ -40,7 +43,8 @@ private Q_SLOTS:
     void allIsThereOnce()
     {
         auto problem = std::make_error_code(std::errc::io_error);
-        QCOMPARE(sorted(files::namesIn(path("full"), problem)), (std::vector<std::string>{".hidden", "a", "below", "link", "Übung ♥"}));
+        QCOMPARE(sorted(files::namesIn(path("full"), problem)),
+                 (std::vector<std::string>{".hidden", "a", "below", "link", "Übung ♥"}));
         QVERIFY(!problem);
         QVERIFY(files::namesIn(path("empty"), problem).empty());
         QVERIFY(!problem);
@@ -84,18 +88,24 @@ private Q_SLOTS:
         QFETCH(int, reason);
         QFile::link(QStringLiteral("loop"), QString::fromStdString(path("loop").string()));
         const std::filesystem::path refused = path(name.constData());
-        const auto isTheReason = [reason](const std::error_code &problem) { return problem.value() == reason; };
+        const auto isTheReason = [reason](const std::error_code &problem) {
+            return problem.value() == reason;
+        };
         std::error_code problem;
         QCOMPARE(files::kindOf(refused, problem), files::Kind::Missing);
         QVERIFY(isTheReason(problem));
         QCOMPARE(files::kindOfItself(refused), files::Kind::Missing);
-        QVERIFY(!files::exists(refused) && !files::isFile(refused) && !files::isFolder(refused) && !files::isSame(refused, path("full")));
+        QVERIFY(!files::exists(refused) && !files::isFile(refused) && !files::isFolder(refused) &&
+                !files::isSame(refused, path("full")));
         QCOMPARE(files::absolute(refused), refused);
         QCOMPARE(files::realPath(refused, problem), refused);
         QVERIFY(isTheReason(problem));
-        for (const auto &ask : {std::function([&] { files::sizeOf(refused, problem); }), std::function([&] { files::namesIn(refused, problem); }),
-                                std::function([&] { files::lastWritten(refused, problem); }), std::function([&] { files::makeFolders(refused, problem); }),
-                                std::function([&] { files::remove(refused, problem); }), std::function([&] { files::diskSpace(refused, problem); }),
+        for (const auto &ask : {std::function([&] { files::sizeOf(refused, problem); }),
+                                std::function([&] { files::namesIn(refused, problem); }),
+                                std::function([&] { files::lastWritten(refused, problem); }),
+                                std::function([&] { files::makeFolders(refused, problem); }),
+                                std::function([&] { files::remove(refused, problem); }),
+                                std::function([&] { files::diskSpace(refused, problem); }),
                                 std::function([&] { files::rename(path("full/a"), refused, problem); })}) {
             problem.clear();
             ask();
@@ -129,7 +139,8 @@ private Q_SLOTS:
         QVERIFY(!problem);
         QCOMPARE(sorted(seen), (std::vector<std::string>{".hidden", "a", "deep", "Übung ♥"}));
         seen.clear();
-        files::eachFileBelow(path("full"), [&](const std::filesystem::path &file) { return visit(file) && false; }, problem);
+        files::eachFileBelow(
+            path("full"), [&](const std::filesystem::path &file) { return visit(file) && false; }, problem);
         QCOMPARE(seen.size(), std::size_t(1));
         files::eachFileBelow(path("missing"), visit, problem);
         QVERIFY(problem == std::errc::no_such_file_or_directory);
@@ -140,7 +151,8 @@ private Q_SLOTS:
         std::error_code problem;
         QVERIFY(files::makeFolders(path("work/a/b"), problem) && !problem);
         QVERIFY(!files::makeFolders(path("work/a/b"), problem) && !problem);
-        QVERIFY(QFile::link(QString::fromStdString(path("full").string()), QString::fromStdString(path("work/a/full").string())));
+        QVERIFY(QFile::link(QString::fromStdString(path("full").string()),
+                            QString::fromStdString(path("work/a/full").string())));
         files::removeAll(path("work"));
         QVERIFY(!files::exists(path("work")) && files::isFile(path("full/a")));
         files::removeAll(path("work"));

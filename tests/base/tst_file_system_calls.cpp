@@ -7,8 +7,8 @@
 #include <QRegularExpression>
 #include <QTest>
 
-/// std::filesystem throws where a path is too long, a folder is forbidden or the working directory is gone. The program asks through
-/// core/base/file_system, so that none of its functions is called anywhere else.
+/// std::filesystem throws where a path is too long, a folder is forbidden or the working directory is gone.
+/// The program asks through core/base/file_system, so that none of its functions is called anywhere else.
 class TestFileSystemCalls : public QObject
 {
     Q_OBJECT
@@ -16,7 +16,8 @@ class TestFileSystemCalls : public QObject
     static QStringList callsIn(const QString &source)
     {
         static const QRegularExpression call(
-            QStringLiteral("std::filesystem::(?!path\\b|file_time_type\\b)\\w+|\\bfs::(?!path\\b)\\w+|using namespace std::filesystem"));
+            QStringLiteral("std::filesystem::(?!path\\b|file_time_type\\b)\\w+|\\bfs::(?!path\\b)\\w+|using "
+                           "namespace std::filesystem"));
         QStringList lines;
         const QStringList all = source.split(u'\n');
         for (qsizetype i = 0; i < all.size(); ++i)
@@ -28,7 +29,9 @@ class TestFileSystemCalls : public QObject
 private Q_SLOTS:
     void callsAreFound()
     {
-        QCOMPARE(callsIn(QStringLiteral("std::filesystem::path file;\n/// std::filesystem::exists\nfiles::exists(file);")), QStringList());
+        QCOMPARE(callsIn(QStringLiteral(
+                     "std::filesystem::path file;\n/// std::filesystem::exists\nfiles::exists(file);")),
+                 QStringList());
         QCOMPARE(callsIn(QStringLiteral("\nif (std::filesystem::exists(file, problem))")),
                  QStringList(QStringLiteral("2: if (std::filesystem::exists(file, problem))")));
         QCOMPARE(callsIn(QStringLiteral("for (fs::directory_iterator each(folder);")).size(), 1);
@@ -40,7 +43,8 @@ private Q_SLOTS:
         int sources = 0;
         QStringList found;
         for (const char *folder : {"core", "ui", "app"}) {
-            QDirIterator each(tree.filePath(QLatin1String(folder)), {QStringLiteral("*.cpp"), QStringLiteral("*.h")}, QDir::Files,
+            QDirIterator each(tree.filePath(QLatin1String(folder)),
+                              {QStringLiteral("*.cpp"), QStringLiteral("*.h")}, QDir::Files,
                               QDirIterator::Subdirectories);
             while (each.hasNext()) {
                 QFile file(each.next());

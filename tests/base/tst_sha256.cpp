@@ -30,10 +30,12 @@ private Q_SLOTS:
     /// The examples of FIPS 180-4.
     void examples()
     {
-        QCOMPARE(hashOf("abc", {}), QByteArray("ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"));
+        QCOMPARE(hashOf("abc", {}),
+                 QByteArray("ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"));
         QCOMPARE(hashOf("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq", {}),
                  QByteArray("248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1"));
-        QCOMPARE(hashOf({}, {}), QByteArray("e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"));
+        QCOMPARE(hashOf({}, {}),
+                 QByteArray("e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"));
     }
     /// Every length around the blocks of 64 bytes, in pieces of any size.
     void asQtComputesIt()
@@ -47,7 +49,8 @@ private Q_SLOTS:
             for (int i = 0; i < 8; ++i)
                 pieces.push_back(qsizetype(random() % 150));
             const QByteArray part = bytes.first(size);
-            QCOMPARE(hashOf(part, pieces), QCryptographicHash::hash(part, QCryptographicHash::Sha256).toHex());
+            QCOMPARE(hashOf(part, pieces),
+                     QCryptographicHash::hash(part, QCryptographicHash::Sha256).toHex());
         }
     }
 };

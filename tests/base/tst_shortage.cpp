@@ -23,7 +23,8 @@ private Q_SLOTS:
         QTest::addColumn<int>("code"); // of the system; 0: bad_alloc
         QTest::addColumn<QByteArray>("why");
         QTest::newRow("memory") << 0 << QByteArray("this computer has not enough free memory for it");
-        QTest::newRow("memory of the system") << ENOMEM << QByteArray("this computer has not enough free memory for it");
+        QTest::newRow("memory of the system")
+            << ENOMEM << QByteArray("this computer has not enough free memory for it");
         QTest::newRow("threads") << EAGAIN << QByteArray("this computer gives no further thread");
         QTest::newRow("files") << EMFILE << QByteArray("too many files are open");
         QTest::newRow("files of all programs") << ENFILE << QByteArray("too many files are open");
@@ -39,18 +40,25 @@ private Q_SLOTS:
         });
         QVERIFY(!result);
         QCOMPARE(result.error().code, ErrorCode::Unavailable);
-        QCOMPARE(result.error().message(), "the work: " + why.toStdString() + "; what was saved is safe; close other programs and try again");
+        QCOMPARE(result.error().message(),
+                 "the work: " + why.toStdString() +
+                     "; what was saved is safe; close other programs and try again");
     }
 
     void allElseIsAnErrorToo()
     {
         QCOMPARE(orShortage("", []() -> Result<int> { return 7; }).value(), 7);
-        QCOMPARE(orShortage("", []() -> Result<int> { return fail(ErrorCode::Io, "a", "b", "c"); }).error().what, std::string("a"));
-        const auto unexpected = orShortage("the work", []() -> Result<int> { throw std::logic_error("no such row"); });
+        QCOMPARE(
+            orShortage("", []() -> Result<int> { return fail(ErrorCode::Io, "a", "b", "c"); }).error().what,
+            std::string("a"));
+        const auto unexpected =
+            orShortage("the work", []() -> Result<int> { throw std::logic_error("no such row"); });
         QCOMPARE(unexpected.error().code, ErrorCode::Internal);
-        QCOMPARE(unexpected.error().message(), std::string("the work: something unexpected happened (no such row); what was saved is safe; "
-                                                           "try again, and report it if it happens again"));
-        QCOMPARE(orShortage("", []() -> Result<int> { throw 7; }).error().why, std::string("something unexpected happened (an exception without words)"));
+        QCOMPARE(unexpected.error().message(),
+                 std::string("the work: something unexpected happened (no such row); what was saved is safe; "
+                             "try again, and report it if it happens again"));
+        QCOMPARE(orShortage("", []() -> Result<int> { throw 7; }).error().why,
+                 std::string("something unexpected happened (an exception without words)"));
     }
 
     void aThreadThatIsNotToBeHadIsAnError()

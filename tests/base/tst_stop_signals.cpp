@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a program does with the signals that ask it to stop; each in a program of its own, for they are the whole program's.
+// What a program does with the signals that ask it to stop; each in a program of its own, for they are the
+// whole program's.
 #include "core/base/stop_signals.h"
 
 #include "tests/support/registered_test.h"
@@ -102,10 +103,14 @@ private Q_SLOTS:
     void nohupStays()
     {
         const auto stillThere = [] { return stopSignal() == 0 ? 7 : 1; };
-        QCOMPARE(exitStatus(statusAfter({SIGHUP}, [&] {
-            ::usleep(100'000);
-            return stillThere();
-        }, true)), 7);
+        QCOMPARE(exitStatus(statusAfter(
+                     {SIGHUP},
+                     [&] {
+                         ::usleep(100'000);
+                         return stillThere();
+                     },
+                     true)),
+                 7);
     }
 
     void whereNoSignalCameItIsAnInterrupt()

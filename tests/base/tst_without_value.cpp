@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/without_value.h"
+#include "core/base/error.h"
 
 #include "tests/support/registered_test.h"
 

@@ -2,8 +2,8 @@
 #include "tests/benchmark/benchmark_clips.h"
 
 #include "core/simulation/demo_testbed.h"
+#include "core/simulation/internal/robot_body.h"
 #include "core/simulation/renderer.h"
-#include "core/simulation/robot_body.h"
 
 #include <limits>
 

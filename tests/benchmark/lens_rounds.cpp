@@ -2,7 +2,7 @@
 #include "tests/benchmark/lens_rounds.h"
 
 #include "core/calibration/intrinsic_calibration.h"
-#include "core/simulation/board_poses.h"
+#include "core/simulation/renderer.h"
 #include "tests/benchmark/cpu_clock.h"
 
 #include <numeric>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/benchmark/libav_decoding.h"
 
-#include "core/video/libav.h"
+#include "core/video/internal/libav.h"
 #include "tests/benchmark/cpu_clock.h"
 
 namespace odo::test {

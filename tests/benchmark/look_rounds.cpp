@@ -3,7 +3,7 @@
 
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
-#include "core/tracking/silhouette_tracker.h"
+#include "core/tracking/internal/silhouette_tracker.h"
 #include "core/video/video_reader.h"
 #include "tests/acceptance/scenes/look_robots.h"
 #include "tests/benchmark/cpu_clock.h"
@@ -37,7 +37,9 @@ Result<LookClip> provideClip(const std::filesystem::path &folder, std::size_t ro
     SimulatedScene scene = demoTestbed(std::uint32_t(40 + robots));
     scene.durationS = durationS;
     for (std::size_t i = 0; i < robots; ++i) { // one behind the other, so that none hides another for long
-        scene.robots.push_back(robotOfLook(Look::Rover, makeEllipseMotion({1.5, 1.1}, 1.15, 0.75, 9, 2 * std::numbers::pi * double(i) / double(robots), 1)));
+        scene.robots.push_back(robotOfLook(
+            Look::Rover, makeEllipseMotion({1.5, 1.1}, 1.15, 0.75, 9,
+                                           2 * std::numbers::pi * double(i) / double(robots), 1)));
         scene.robots.back().name += std::to_string(i);
     }
     if (auto rendered = renderVideo(scene, 0, clip.file, {}, {}); !rendered)
@@ -69,7 +71,8 @@ std::optional<Background> learnedFrom(const LookClip &clip)
     return learner.learned();
 }
 
-/// Tracks as the program does, and then subtracts: the other's model would drive all that the tracker knows out of the processor's caches between two frames.
+/// Tracks as the program does, and then subtracts: the other's model would drive all that the tracker knows
+/// out of the processor's caches between two frames.
 LookRound runRound(const LookClip &clip, const Background &background)
 {
     LookRound round;
@@ -101,13 +104,28 @@ void addFigures(const LookClip &clip, const std::vector<LookRound> &rounds, std:
             values.push_back(of(round));
         return median(std::move(values));
     };
-    const auto ms = [&](double LookRound::*part) { return QString::number(medianOf([&](const LookRound &r) { return 1000 * r.*part / double(r.frames); }), 'f', 3); };
-    const QString robots = clip.robots == 1 ? QStringLiteral("1 robot of any look") : QStringLiteral("%1 robots of any look").arg(clip.robots);
+    const auto ms = [&](double LookRound::*part) {
+        return QString::number(
+            medianOf([&](const LookRound &r) { return 1000 * r.*part / double(r.frames); }), 'f', 3);
+    };
+    const QString robots = clip.robots == 1 ? QStringLiteral("1 robot of any look")
+                                            : QStringLiteral("%1 robots of any look").arg(clip.robots);
     const double leastRatio = clip.robots == 1 ? 25 : 12;
-    figures.push_back({QStringLiteral("MOG2 / work after decoding, ") + robots, medianOf([](const LookRound &r) { return r.subtractS / r.trackS; }), leastRatio, {}, {},
-                       QStringLiteral("MOG2 %1 ms, track %2 ms; found %3 of %4").arg(ms(&LookRound::subtractS), ms(&LookRound::trackS)).arg(rounds.front().found).arg(rounds.front().frames * std::int64_t(clip.robots))});
-    figures.push_back({QStringLiteral("H.264: decode / (decode + track), ") + robots, medianOf([](const LookRound &r) { return r.decodeS / (r.decodeS + r.trackS); }),
-                       clip.robots == 1 ? std::optional(0.95) : std::nullopt, {}, {}, QStringLiteral("decode %1 ms").arg(ms(&LookRound::decodeS))});
+    figures.push_back({QStringLiteral("MOG2 / work after decoding, ") + robots,
+                       medianOf([](const LookRound &r) { return r.subtractS / r.trackS; }),
+                       leastRatio,
+                       {},
+                       {},
+                       QStringLiteral("MOG2 %1 ms, track %2 ms; found %3 of %4")
+                           .arg(ms(&LookRound::subtractS), ms(&LookRound::trackS))
+                           .arg(rounds.front().found)
+                           .arg(rounds.front().frames * std::int64_t(clip.robots))});
+    figures.push_back({QStringLiteral("H.264: decode / (decode + track), ") + robots,
+                       medianOf([](const LookRound &r) { return r.decodeS / (r.decodeS + r.trackS); }),
+                       clip.robots == 1 ? std::optional(0.95) : std::nullopt,
+                       {},
+                       {},
+                       QStringLiteral("decode %1 ms").arg(ms(&LookRound::decodeS))});
 }
 
 } // namespace

@@ -8,8 +8,10 @@
 
 namespace odo::test {
 
-/// What it costs to follow one and six robots of any look by their silhouettes, beside OpenCV's subtraction of the background (MOG2) on the same frames and beside
-/// decoding; each ratio is taken within its round, and the median of the rounds counts. The clips, H.264 of 8 Mbit/s, are rendered into a folder; those that are there are used again.
+/// What it costs to follow one and six robots of any look by their silhouettes, beside OpenCV's subtraction
+/// of the background (MOG2) on the same frames and beside decoding; each ratio is taken within its round, and
+/// the median of the rounds counts. The clips, H.264 of 8 Mbit/s, are rendered into a folder; those that are
+/// there are used again.
 Result<std::vector<Figure>> measureLooks(const std::filesystem::path &folder, double durationS, int rounds);
 
 } // namespace odo::test

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/benchmark/speed_rounds.h"
 
-#include "core/tracking/blob_finder.h"
-#include "core/tracking/colour_model.h"
-#include "core/tracking/tracked_frame.h"
+#include "core/tracking/internal/blob_finder.h"
+#include "core/tracking/internal/colour_model.h"
+#include "core/tracking/internal/tracked_frame.h"
 #include "core/video/video_reader.h"
 #include "tests/benchmark/cpu_clock.h"
 #include "tests/benchmark/libav_decoding.h"

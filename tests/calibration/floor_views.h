@@ -4,9 +4,7 @@
 #include "core/calibration/marker_layout.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
-#include "core/video/jpeg_decoder.h"
-#include "core/video/jpeg_encoder.h"
-#include "core/video/jpeg_file.h"
+#include "core/video/jpeg.h"
 #include "tests/calibration/pictures.h"
 
 #include <cmath>

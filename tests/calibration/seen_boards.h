@@ -3,7 +3,7 @@
 
 #include "core/calibration/board_detection.h"
 #include "core/geometry/camera_model.h"
-#include "core/geometry/rigid_transform.h"
+#include "core/geometry/floor_view.h"
 
 #include <random>
 #include <string>
@@ -11,8 +11,8 @@
 
 /// A board of 9×6 corners of 30 mm as a camera sees it; the pose turns it by tilts (radians) about the
 /// board's axes.
-inline odo::BoardView see(const odo::CameraModel &camera, const Eigen::Vector3d &centre, double tiltX, double tiltY,
-                          double turn, std::mt19937 &random, double noisePx)
+inline odo::BoardView see(const odo::CameraModel &camera, const Eigen::Vector3d &centre, double tiltX,
+                          double tiltY, double turn, std::mt19937 &random, double noisePx)
 {
     using Eigen::Vector3d;
     std::normal_distribution<double> noise(0, 1);
@@ -35,7 +35,8 @@ inline odo::BoardView see(const odo::CameraModel &camera, const Eigen::Vector3d 
 }
 
 /// Boards held by a careful person, with so much noise on each coordinate.
-inline std::vector<odo::BoardView> tiltedViews(const odo::CameraModel &camera, int count, double noisePx, unsigned seed = 1)
+inline std::vector<odo::BoardView> tiltedViews(const odo::CameraModel &camera, int count, double noisePx,
+                                               unsigned seed = 1)
 {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> across(-1, 1);

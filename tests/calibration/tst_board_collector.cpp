@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Gathering pictures of a board: where it stands, what is missing, what does not count.
 #include "core/calibration/board_collector.h"
-#include "core/calibration/wanted_pose.h"
-#include "core/simulation/board_poses.h"
+#include "core/calibration/board_placement.h"
 #include "core/simulation/renderer.h"
 #include "tests/support/registered_test.h"
 
-#include <QTest>
 #include <Eigen/Geometry>
+#include <QTest>
 
 using namespace odo;
 using Eigen::Vector2d;
@@ -36,8 +35,8 @@ BoardPlacement placementOfPose(const RigidTransform &cameraFromBoard)
     for (int y = 0; y < 6; ++y) {
         for (int x = 0; x < 9; ++x) {
             const Vector2d point(0.025 * x, 0.025 * y);
-            view.pixels.push_back(*camera.project(cameraFromBoard.rotation * Vector3d(point.x(), point.y(), 0) +
-                                                  cameraFromBoard.translation));
+            view.pixels.push_back(*camera.project(
+                cameraFromBoard.rotation * Vector3d(point.x(), point.y(), 0) + cameraFromBoard.translation));
             view.pointsOnBoard.push_back(point);
         }
     }
@@ -99,7 +98,8 @@ private Q_SLOTS:
         QFETCH(double, aboutY);
         QFETCH(Vector2d, farther);
         const BoardPlacement placement = placementOfPose(posed({0, 0, 0.5}, aboutX, aboutY));
-        QVERIFY2(std::abs(placement.angleDegrees() - 30) < 1, qPrintable(QString::number(placement.angleDegrees())));
+        QVERIFY2(std::abs(placement.angleDegrees() - 30) < 1,
+                 qPrintable(QString::number(placement.angleDegrees())));
         QVERIFY(placement.slope.normalized().dot(farther) > 0.99);
     }
 
@@ -180,7 +180,8 @@ private Q_SLOTS:
         other.cameraFromBoard = frontal;
         QVERIFY(refusedWith(collector.offer(renderBoard(camera, other, 2, 1), "d.png"),
                             "this board has 8x6 inner corners, 9x6 was asked for"));
-        const Frame larger = renderBoard(CameraModel::assumed(800, 600), SimulatedBoard{.cameraFromBoard = frontal}, 2, 1);
+        const Frame larger =
+            renderBoard(CameraModel::assumed(800, 600), SimulatedBoard{.cameraFromBoard = frontal}, 2, 1);
         QVERIFY(refusedWith(collector.offer(larger, "e.png"), "it is 800×600, the first picture 640×360"));
     }
 
@@ -193,7 +194,8 @@ private Q_SLOTS:
         const PictureAnswer still = collector.watch(rendered(posed({0.01, 0, 0.45}, 0, 0), 800), "800");
         QVERIFY(still.kept);
         QVERIFY(!still.refusal);
-        QVERIFY(refusedWith(collector.watch(rendered(posed({0.01, 0, 0.45}, 0, 0), 1400), "1400"), "already taken"));
+        QVERIFY(refusedWith(collector.watch(rendered(posed({0.01, 0, 0.45}, 0, 0), 1400), "1400"),
+                            "already taken"));
     }
 
     void aPictureCanBeTakenOutAndPutBack()

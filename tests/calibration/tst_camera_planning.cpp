@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/calibration/accuracy_words.h"
-#include "core/calibration/best_place.h"
+#include "core/calibration/accuracy_map.h"
 #include "tests/calibration/floor_views.h"
 #include "tests/support/contains.h"
 #include "tests/support/registered_test.h"
@@ -55,7 +54,8 @@ private Q_SLOTS:
             return among ? 0.001 + 0.005 * (at.x() / 3 + at.y() / 2) / 2 : 1.0;
         });
         QVERIFY(std::abs(summary.worstM - 0.006) < 1e-9);
-        QVERIFY(std::abs(summary.middleM - 0.0035) < 1e-4); // the grid has a place within a step of the middle
+        // the grid has a place within a step of the middle
+        QVERIFY(std::abs(summary.middleM - 0.0035) < 1e-4);
         QCOMPARE(summary.seenPart, 1.0);
         QVERIFY(contains(summary.words, "in the middle, ±6.0 mm in the corner near D."));
     }
@@ -92,8 +92,10 @@ private Q_SLOTS:
         QVERIFY2(best.has_value(), best ? "" : best.error().message().c_str());
         QCOMPARE(best->heightM, 2.0);
         const Vector2d foot = best->footM();
-        QVERIFY2(foot.x() < 0 || foot.x() > 3 || foot.y() < 0 || foot.y() > 2, "a tripod does not stand among the robots");
-        QVERIFY(foot.x() > -1.5 - 1e-9 && foot.x() < 4.5 + 1e-9 && foot.y() > -1.5 - 1e-9 && foot.y() < 3.5 + 1e-9);
+        QVERIFY2(foot.x() < 0 || foot.x() > 3 || foot.y() < 0 || foot.y() > 2,
+                 "a tripod does not stand among the robots");
+        QVERIFY(foot.x() > -1.5 - 1e-9 && foot.x() < 4.5 + 1e-9 && foot.y() > -1.5 - 1e-9 &&
+                foot.y() < 3.5 + 1e-9);
         const double bestM = worstOf(*best, {});
         int compared = 0;
         for (int degrees = 0; degrees < 360; degrees += 10) {
@@ -106,7 +108,8 @@ private Q_SLOTS:
             if (!view || at.x() < -1.5 || at.x() > 4.5 || at.y() < -1.5 || at.y() > 3.5)
                 continue;
             const FloorGrid grid = gridOver(layout(), 0, 12);
-            const auto summary = summariseAccuracy(grid, accuracyMap({&*view, 1}, grid, 0.1).fusedSigmaM, layout());
+            const auto summary =
+                summariseAccuracy(grid, accuracyMap({&*view, 1}, grid, 0.1).fusedSigmaM, layout());
             if (summary.seenPart < 1)
                 continue;
             ++compared;
@@ -135,7 +138,8 @@ private Q_SLOTS:
         like.fieldOfViewDegrees = 75;
         const auto above = bestPlace(like, layout(), {}, {0.5, true, 0, 0.1}, {});
         QVERIFY(above);
-        QVERIFY(above->footM().x() > 0 && above->footM().x() < 3 && above->footM().y() > 0 && above->footM().y() < 2);
+        QVERIFY(above->footM().x() > 0 && above->footM().x() < 3 && above->footM().y() > 0 &&
+                above->footM().y() < 2);
     }
     void refusesWithTheReason()
     {
@@ -144,13 +148,15 @@ private Q_SLOTS:
         low.fieldOfViewDegrees = 10;
         const auto nowhere = bestPlace(low, layout(), {}, {0.2, false, 0, 0.1}, {});
         QVERIFY(!nowhere);
-        QVERIFY(contains(nowhere.error().message(), "from nowhere within 0.2 m beyond the markers would it see four of them"));
+        QVERIFY(contains(nowhere.error().message(),
+                         "from nowhere within 0.2 m beyond the markers would it see four of them"));
         PlannedCamera wrong;
         wrong.heightM = 0;
         const auto inTheGround = bestPlace(wrong, layout(), {}, {}, {});
         QVERIFY(!inTheGround);
         QVERIFY(contains(inTheGround.error().message(), "it cannot stand 0.00 m above the floor"));
-        QVERIFY(contains(bestPlace({}, {"x", {{"O", {0, 0}}}}, {}, {}, {}).error().message(), "the layout has 1 markers, four are needed"));
+        QVERIFY(contains(bestPlace({}, {"x", {{"O", {0, 0}}}}, {}, {}, {}).error().message(),
+                         "the layout has 1 markers, four are needed"));
         const JobControl control;
         control.cancel.cancel();
         PlannedCamera like;

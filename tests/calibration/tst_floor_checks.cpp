@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/accuracy_map.h"
-#include "core/calibration/known_length.h"
 #include "core/calibration/lens_influence.h"
-#include "core/calibration/moved_check.h"
+#include "core/calibration/registration_checks.h"
 #include "core/calibration/world_axes.h"
 #include "tests/calibration/floor_views.h"
 #include "tests/support/contains.h"
@@ -58,7 +57,8 @@ private Q_SLOTS:
         const int draws = 1500;
         for (int i = 0; i < draws; ++i) {
             const FloorView view = registered(truth, random);
-            const Vector2d from = *truth.pixelFromWorld({0.5, 0.4, 0}) + Vector2d(noise(random), noise(random));
+            const Vector2d from =
+                *truth.pixelFromWorld({0.5, 0.4, 0}) + Vector2d(noise(random), noise(random));
             const Vector2d to = *truth.pixelFromWorld({1.5, 1.4, 0}) + Vector2d(noise(random), noise(random));
             const SeenLength seen[] = {{&view, "A", from, to}};
             const auto check = checkLength(seen, std::nullopt);
@@ -67,17 +67,20 @@ private Q_SLOTS:
             stated += check->sigmaM * check->sigmaM / draws;
         }
         // 1500 draws know a σ to 1.8 %.
-        QVERIFY2(std::abs(std::sqrt(squares / stated) - 1) < 0.08, qPrintable(QString::number(std::sqrt(squares / stated))));
+        QVERIFY2(std::abs(std::sqrt(squares / stated) - 1) < 0.08,
+                 qPrintable(QString::number(std::sqrt(squares / stated))));
     }
     void twoCamerasKnowALengthBetterAndSayWhereItIsWrong()
     {
         std::mt19937 random(6);
         const FloorView a = registered(trueView(-1), random), b = registered(trueView(1), random);
         const auto seenBy = [](const FloorView &view, const FloorView &truth, const char *name) {
-            return SeenLength{&view, name, *truth.pixelFromWorld({0.5, 0.4, 0}), *truth.pixelFromWorld({1.5, 0.4, 0})};
+            return SeenLength{&view, name, *truth.pixelFromWorld({0.5, 0.4, 0}),
+                              *truth.pixelFromWorld({1.5, 0.4, 0})};
         };
         const SeenLength both[] = {seenBy(a, trueView(-1), "A"), seenBy(b, trueView(1), "B")};
-        const auto one = checkLength({both, 1}, 1.0), two = checkLength(both, 1.0), wrong = checkLength(both, 1.05);
+        const auto one = checkLength({both, 1}, 1.0), two = checkLength(both, 1.0),
+                   wrong = checkLength(both, 1.05);
         QVERIFY(one && two && wrong);
         QVERIFY(two->sigmaM < one->sigmaM);
         QVERIFY(two->agrees);
@@ -93,7 +96,8 @@ private Q_SLOTS:
         const SeenLength fine[] = {{&view, "A", here, {300, 400}}};
         QVERIFY(contains(checkLength({}, 1.0).error().message(), "no camera was given"));
         QVERIFY(contains(checkLength(same, 1.0).error().message(), "both ends lie on one pixel"));
-        QVERIFY(contains(checkLength(sky, 1.0).error().message(), "the second end lies at or beyond the horizon of camera 'A'"));
+        QVERIFY(contains(checkLength(sky, 1.0).error().message(),
+                         "the second end lies at or beyond the horizon of camera 'A'"));
         QVERIFY(contains(checkLength(fine, -1.0).error().message(), "is not above 0"));
     }
     void theMapSaysWhatAPositionScatters()
@@ -110,7 +114,8 @@ private Q_SLOTS:
             if (std::isnan(map.cameraSigmaM[0][i]) || std::isnan(map.cameraSigmaM[1][i]))
                 continue;
             ++seen;
-            QVERIFY(map.fusedSigmaM[i] <= std::min(map.cameraSigmaM[0][i], map.cameraSigmaM[1][i]) * (1 + 1e-9));
+            QVERIFY(map.fusedSigmaM[i] <=
+                    std::min(map.cameraSigmaM[0][i], map.cameraSigmaM[1][i]) * (1 + 1e-9));
         }
         QVERIFY(seen > 20);
         // At one place, by brute force.
@@ -120,13 +125,15 @@ private Q_SLOTS:
         const int draws = 1200;
         for (int i = 0; i < draws; ++i) {
             const FloorView view = registered(truth, random);
-            const Vector2d pixel = *truth.pixelFromWorld({place.x(), place.y(), 0}) + Vector2d(noise(random), noise(random));
+            const Vector2d pixel =
+                *truth.pixelFromWorld({place.x(), place.y(), 0}) + Vector2d(noise(random), noise(random));
             const Vector2d error = *view.floorFromPixel(pixel, 0) - place;
             sampled += error * error.transpose() / draws;
             stated += std::pow(accuracyMap({&view, 1}, {place, 0.1, 1, 1}, 0.2).fusedSigmaM[0], 2) / draws;
         }
         const double actual = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(sampled).eigenvalues().y();
-        QVERIFY2(std::abs(std::sqrt(actual / stated) - 1) < 0.1, qPrintable(QString::number(std::sqrt(actual / stated))));
+        QVERIFY2(std::abs(std::sqrt(actual / stated) - 1) < 0.1,
+                 qPrintable(QString::number(std::sqrt(actual / stated))));
     }
     void aPlannedCameraPromisesWhatARealOneKeeps()
     {
@@ -155,13 +162,15 @@ private Q_SLOTS:
             sampled += (*real.floorFromPixel(at, 0) - Vector2d(0.6, 1.2)).squaredNorm() / 800;
         }
         const double promised = view->locate(at, Eigen::Matrix2d::Zero(), 0)->calibrationCovariance.trace();
-        QVERIFY2(std::abs(std::sqrt(sampled / promised) - 1) < 0.1, qPrintable(QString::number(std::sqrt(sampled / promised))));
+        QVERIFY2(std::abs(std::sqrt(sampled / promised) - 1) < 0.1,
+                 qPrintable(QString::number(std::sqrt(sampled / promised))));
     }
     void aPlanThatCannotBeIsRefused()
     {
         PlannedCamera planned;
         planned.heightM = -1;
-        QVERIFY(contains(plannedView(planned, layout()).error().message(), "cannot stand -1.00 m above the floor"));
+        QVERIFY(contains(plannedView(planned, layout()).error().message(),
+                         "cannot stand -1.00 m above the floor"));
         planned.heightM = 0.5;
         planned.distanceM = 0.5;
         planned.fieldOfViewDegrees = 30;
@@ -180,7 +189,8 @@ private Q_SLOTS:
         QVERIFY(contains(still->words, "B stands where it was registered: 5 markers"));
 
         RigidTransform turned = truth.worldFromCamera();
-        turned.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(0.007, Vector3d(0.3, 0.1, 1).normalized())) * turned.rotation;
+        turned.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(0.007, Vector3d(0.3, 0.1, 1).normalized())) *
+                          turned.rotation;
         const FloorView bumped(truth.camera(), turned, Eigen::Matrix<double, 6, 6>::Zero());
         const auto moved = checkMoved("B", truth, stored, noisy(bumped, 0.2, random), 0.2);
         QCOMPARE(int(moved->verdict), int(MovedCheck::Verdict::CameraMoved));
@@ -199,7 +209,8 @@ private Q_SLOTS:
         const auto missing = checkMoved("B", truth, stored, {one[0]}, 0.2);
         QVERIFY(!missing.has_value());
         QVERIFY(contains(missing.error().message(), "1 of its 5 markers were found again, two are needed"));
-        QVERIFY(contains(checkMoved("B", truth, stored, {stored.begin() + 2, stored.end()}, 0.2)->words, "Not found again: O and U."));
+        QVERIFY(contains(checkMoved("B", truth, stored, {stored.begin() + 2, stored.end()}, 0.2)->words,
+                         "Not found again: O and U."));
     }
     void noFalseAlarmsAndNoShiftOfTwoPixelsMissed()
     {
@@ -221,16 +232,20 @@ private Q_SLOTS:
     void foundAgainInAPicture()
     {
         const DrawnView before = drawFloorView(layout(), MarkerFigure::Ring, 0.16, 31);
-        const auto again = findAgain(before.frame, layout(), before.truth, before.scene.cameras[0].view.camera());
+        const auto again =
+            findAgain(before.frame, layout(), before.truth, before.scene.cameras[0].view.camera());
         QCOMPARE(again.size(), before.truth.size());
-        QCOMPARE(int(checkMoved("B", before.scene.cameras[0].view, before.truth, again, 0.2)->verdict), int(MovedCheck::Verdict::Still));
+        QCOMPARE(int(checkMoved("B", before.scene.cameras[0].view, before.truth, again, 0.2)->verdict),
+                 int(MovedCheck::Verdict::Still));
         SimulatedScene scene = before.scene;
         const FloorView &view = scene.cameras[0].view;
         RigidTransform turned = view.worldFromCamera();
         turned.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(0.006, Vector3d::UnitZ())) * turned.rotation;
         scene.cameras[0].view = FloorView(view.camera(), turned, view.poseCovariance());
-        const auto shifted = findAgain(SceneRenderer(scene, 0).render(0), layout(), before.truth, view.camera());
-        QCOMPARE(int(checkMoved("B", view, before.truth, shifted, 0.2)->verdict), int(MovedCheck::Verdict::CameraMoved));
+        const auto shifted =
+            findAgain(SceneRenderer(scene, 0).render(0), layout(), before.truth, view.camera());
+        QCOMPARE(int(checkMoved("B", view, before.truth, shifted, 0.2)->verdict),
+                 int(MovedCheck::Verdict::CameraMoved));
     }
 };
 

@@ -287,14 +287,18 @@ private Q_SLOTS:
     }
     void refusesFourMarkersOfWhichOneIsCareless()
     {
-        // Of 7 px aside two are left in the residuals, which alone would pass; a fifth marker tells which it is.
+        // Of 7 px aside two are left in the residuals, which alone would pass; a fifth marker tells which it
+        // is.
         const MarkerLayout layout = rectangle();
         std::vector<MarkerPixel> pixels = seenBy(bentCamera(), layout);
         pixels[3].pixel += Vector2d(3, 1);
-        QVERIFY2(!refusedWith(layout, pixels, "check one another too little"), "three pixels may happen to anybody");
+        QVERIFY2(!refusedWith(layout, pixels, "check one another too little"),
+                 "three pixels may happen to anybody");
         pixels[3].pixel += Vector2d(4, 2);
-        QVERIFY(refusedWith(layout, pixels, "check one another too little to tell which of them; it may be wrong by much more; mark and "
-                                            "measure them again, or add another"));
+        QVERIFY(refusedWith(
+            layout, pixels,
+            "check one another too little to tell which of them; it may be wrong by much more; mark and "
+            "measure them again, or add another"));
         MarkerLayout five = layoutOf({{0, 0}, {2, 0}, {0, 1.5}, {2, 1.5}, {1.1, 0.4}});
         pixels = seenBy(bentCamera(), five);
         pixels[3].pixel += Vector2d(3, 1);

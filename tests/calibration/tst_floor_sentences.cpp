@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/floor_registration.h"
+#include "core/calibration/internal/marker_assignment.h"
 #include "core/calibration/joint_registration.h"
-#include "core/calibration/marker_assignment.h"
 #include "core/calibration/world_axes.h"
 #include "core/simulation/demo_testbed.h"
 #include "tests/support/registered_test.h"
@@ -23,7 +23,8 @@ struct Given
     Given()
     {
         for (const Marker &marker : layout.markers)
-            pixels.push_back({marker.label, *view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0})});
+            pixels.push_back(
+                {marker.label, *view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0})});
     }
     void scale(double factor)
     {
@@ -46,21 +47,54 @@ struct BadInput
 };
 
 const BadInput badInputs[] = {
-    {"too few", [](Given &g) { g.pixels.pop_back(); }, "there are 3 (O, U and V)", "mark more of the layout's markers"},
-    {"names that the layout has not", [](Given &g) { g.pixels[3].label = 'X'; }, "and the layout does not know X", "under the layout's names"},
-    {"a label twice in the layout", [](Given &g) { g.layout.markers[1].label = 'O'; }, "marker O stands twice in the layout", "a name of its own"},
-    {"a label twice in the picture", [](Given &g) { g.pixels[1].label = 'O'; }, "marker O stands twice in the picture", "a name of its own"},
-    {"a pixel that is no number", [](Given &g) { g.pixels[2].pixel.x() = NAN; }, "the pixel of marker V is not a finite number", "correct the pixels"},
-    {"a place that is no number", [](Given &g) { g.layout.markers[2].pointInWorld.x() = INFINITY; }, "the place of marker V is not a finite number", "correct the layout"},
-    {"one place twice", [](Given &g) { g.layout.markers[1].pointInWorld = {0.0005, 0}; }, "markers O and U lie at one place of the floor", "correct the layout"},
-    {"one pixel twice", [](Given &g) { g.pixels[1].pixel = g.pixels[0].pixel; }, "markers O and U lie on one pixel", "where it is seen"},
-    {"too close", [](Given &g) { g.put(1, {0.02, 0.01}); }, "markers O and U lie only 22.4 mm apart", "spread the markers"},
-    {"on one line", [](Given &g) { g.put(2, {0.9, 0}); g.put(3, {1.6, 0}); }, "U, V and D lie on one line", "no three are in line"},
-    {"nearly on one line", [](Given &g) { g.put(2, {0.9, 0.005}); g.put(3, {1.6, -0.005}); }, "O, U and D lie on one line", "no three are in line"},
-    {"mirrored", [](Given &g) { for (Marker &m : g.layout.markers) m.pointInWorld.y() *= -1; }, "mirrored", "check"},
-    {"metres for mm", [](Given &g) { g.scale(1e-3); }, "only 2.0 mm above the floor", "its numbers look like metres, then it would stand 2.00 m"},
-    {"a thousand times too large", [](Given &g) { g.scale(1e3); }, "would stand 2000 m above the floor", "its numbers look like thousandths of a mm"},
-    {"two labels exchanged", [](Given &g) { std::swap(g.pixels[1].pixel, g.pixels[2].pixel); }, "", "with U and V exchanged they fit"},
+    {"too few", [](Given &g) { g.pixels.pop_back(); }, "there are 3 (O, U and V)",
+     "mark more of the layout's markers"},
+    {"names that the layout has not", [](Given &g) { g.pixels[3].label = 'X'; },
+     "and the layout does not know X", "under the layout's names"},
+    {"a label twice in the layout", [](Given &g) { g.layout.markers[1].label = 'O'; },
+     "marker O stands twice in the layout", "a name of its own"},
+    {"a label twice in the picture", [](Given &g) { g.pixels[1].label = 'O'; },
+     "marker O stands twice in the picture", "a name of its own"},
+    {"a pixel that is no number", [](Given &g) { g.pixels[2].pixel.x() = NAN; },
+     "the pixel of marker V is not a finite number", "correct the pixels"},
+    {"a place that is no number", [](Given &g) { g.layout.markers[2].pointInWorld.x() = INFINITY; },
+     "the place of marker V is not a finite number", "correct the layout"},
+    {"one place twice",
+     [](Given &g) {
+         g.layout.markers[1].pointInWorld = {0.0005, 0};
+     },
+     "markers O and U lie at one place of the floor", "correct the layout"},
+    {"one pixel twice", [](Given &g) { g.pixels[1].pixel = g.pixels[0].pixel; },
+     "markers O and U lie on one pixel", "where it is seen"},
+    {"too close",
+     [](Given &g) {
+         g.put(1, {0.02, 0.01});
+     },
+     "markers O and U lie only 22.4 mm apart", "spread the markers"},
+    {"on one line",
+     [](Given &g) {
+         g.put(2, {0.9, 0});
+         g.put(3, {1.6, 0});
+     },
+     "U, V and D lie on one line", "no three are in line"},
+    {"nearly on one line",
+     [](Given &g) {
+         g.put(2, {0.9, 0.005});
+         g.put(3, {1.6, -0.005});
+     },
+     "O, U and D lie on one line", "no three are in line"},
+    {"mirrored",
+     [](Given &g) {
+         for (Marker &m : g.layout.markers)
+             m.pointInWorld.y() *= -1;
+     },
+     "mirrored", "check"},
+    {"metres for mm", [](Given &g) { g.scale(1e-3); }, "only 2.0 mm above the floor",
+     "its numbers look like metres, then it would stand 2.00 m"},
+    {"a thousand times too large", [](Given &g) { g.scale(1e3); }, "would stand 2000 m above the floor",
+     "its numbers look like thousandths of a mm"},
+    {"two labels exchanged", [](Given &g) { std::swap(g.pixels[1].pixel, g.pixels[2].pixel); }, "",
+     "with U and V exchanged they fit"},
 };
 
 } // namespace
@@ -78,8 +112,10 @@ private Q_SLOTS:
             const auto registration = registerFloor(given.layout, given.pixels, given.view.camera(), true);
             QVERIFY2(!registration.has_value(), bad.kind);
             const Error &error = registration.error();
-            QVERIFY2(error.why.find(bad.why) != std::string::npos, (std::string(bad.kind) + ": " + error.message()).c_str());
-            QVERIFY2(error.advice.find(bad.advice) != std::string::npos, (std::string(bad.kind) + ": " + error.message()).c_str());
+            QVERIFY2(error.why.find(bad.why) != std::string::npos,
+                     (std::string(bad.kind) + ": " + error.message()).c_str());
+            QVERIFY2(error.advice.find(bad.advice) != std::string::npos,
+                     (std::string(bad.kind) + ": " + error.message()).c_str());
             QVERIFY2(!error.advice.empty() && error.what == "the floor cannot be registered", bad.kind);
             QVERIFY2(sentences.insert(error.message()).second, bad.kind);
             qInfo("%s: %s", bad.kind, error.message().c_str());
@@ -92,7 +128,8 @@ private Q_SLOTS:
         given.scale(0.1); // centimetres read as mm
         const auto registration = registerFloor(given.layout, given.pixels, given.view.camera(), true);
         QVERIFY(registration.has_value());
-        QVERIFY(registration->verdict.find("The camera would stand only 200.0 mm above the floor") != std::string::npos);
+        QVERIFY(registration->verdict.find("The camera would stand only 200.0 mm above the floor") !=
+                std::string::npos);
     }
 };
 

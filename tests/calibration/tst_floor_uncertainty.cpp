@@ -159,7 +159,8 @@ private Q_SLOTS:
             const FloorView wrong(camera, refitted->worldFromCamera, Eigen::Matrix<double, 6, 6>::Zero());
             const auto floorError = [&](int i) {
                 const Vector2d place = points[i].head<2>();
-                return Vector2d(*wrong.floorFromPixel(*truth.pixelFromWorld({place.x(), place.y(), 0}), 0) - place);
+                return Vector2d(*wrong.floorFromPixel(*truth.pixelFromWorld({place.x(), place.y(), 0}), 0) -
+                                place);
             };
             sampledTogether += floorError(0) * floorError(1).transpose() / draws;
             for (int i = 0; i < 3; ++i) {
@@ -171,7 +172,8 @@ private Q_SLOTS:
         const auto together = view.sharedCovariance(points[0].head<2>(), points[1].head<2>(), 0);
         QVERIFY(together.has_value());
         // Beside the spread of each place: what they share may be little.
-        QVERIFY((sampledTogether - *together).norm() < 0.1 * std::sqrt(sampled[0].norm() * sampled[1].norm()));
+        QVERIFY((sampledTogether - *together).norm() <
+                0.1 * std::sqrt(sampled[0].norm() * sampled[1].norm()));
         for (int i = 0; i < 3; ++i) {
             const auto stated =
                 view.locate(*truth.pixelFromWorld(points[i]), Eigen::Matrix2d::Zero(), points[i].z());

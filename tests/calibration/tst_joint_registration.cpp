@@ -17,7 +17,13 @@ constexpr double tapeM = 0.002;
 
 MarkerLayout places()
 {
-    return {"floor", {{"O", {0, 0}}, {"U", {2.4, 0}}, {"V", {0, 1.8}}, {"D", {2.7, 2.0}}, {"E", {1.2, 0.7}}, {"F", {0.6, 1.3}}}};
+    return {"floor",
+            {{"O", {0, 0}},
+             {"U", {2.4, 0}},
+             {"V", {0, 1.8}},
+             {"D", {2.7, 2.0}},
+             {"E", {1.2, 0.7}},
+             {"F", {0.6, 1.3}}}};
 }
 
 std::vector<FloorView> truth()
@@ -87,10 +93,12 @@ private Q_SLOTS:
                 measure(joint->registrations[camera], truth()[camera], together, stated);
             }
         }
-        qInfo("apart %.2f mm, together %.2f mm, stated %.2f mm; %d of %d with a doubt", 1e3 * std::sqrt(apart / draws / 60),
-              1e3 * std::sqrt(together / draws / 60), 1e3 * std::sqrt(stated / draws / 60), doubts, draws);
+        qInfo("apart %.2f mm, together %.2f mm, stated %.2f mm; %d of %d with a doubt",
+              1e3 * std::sqrt(apart / draws / 60), 1e3 * std::sqrt(together / draws / 60),
+              1e3 * std::sqrt(stated / draws / 60), doubts, draws);
         QVERIFY(together < 0.97 * apart);
-        // The draws' points err together; 120 draws of three cameras that share their markers know the ratio to some 10 %.
+        // The draws' points err together; 120 draws of three cameras that share their markers know the ratio
+        // to some 10 %.
         QVERIFY(std::abs(std::sqrt(together / stated) - 1) < 0.2);
         QVERIFY(doubts <= draws / 40);
     }
@@ -143,7 +151,8 @@ private Q_SLOTS:
                     for (double y = 0.4; y < 1.8; y += 0.6)
                         drawn.cameras[camera].pixels.push_back(
                             {"tile " + std::to_string(++number),
-                             *truth()[camera].pixelFromWorld({x, y, 0}) + 0.3 * Vector2d(noise(random), noise(random))});
+                             *truth()[camera].pixelFromWorld({x, y, 0}) +
+                                 0.3 * Vector2d(noise(random), noise(random))});
                 }
             }
             const auto helped = registerJointly(drawn.measured, drawn.cameras, tapeM);
@@ -162,18 +171,23 @@ private Q_SLOTS:
     {
         std::mt19937 random(11);
         Draw drawn = draw(2, random);
-        QVERIFY(contains(registerJointly(drawn.measured, {drawn.cameras[0]}).error().message(), "there is 1 camera on layout 'floor', two are needed"));
-        QVERIFY(contains(registerJointly(drawn.measured, drawn.cameras, 0).error().message(), "tape measure is not above 0"));
+        QVERIFY(contains(registerJointly(drawn.measured, {drawn.cameras[0]}).error().message(),
+                         "there is 1 camera on layout 'floor', two are needed"));
+        QVERIFY(contains(registerJointly(drawn.measured, drawn.cameras, 0).error().message(),
+                         "tape measure is not above 0"));
         auto twice = drawn.cameras;
         twice[1].name = 'A';
-        QVERIFY(contains(registerJointly(drawn.measured, twice).error().message(), "camera 'A' is there twice"));
+        QVERIFY(
+            contains(registerJointly(drawn.measured, twice).error().message(), "camera 'A' is there twice"));
         auto few = drawn.cameras;
         few[1].pixels.resize(2);
-        QVERIFY(contains(registerJointly(drawn.measured, few).error().message(), "camera 'B' sees only 2 of the markers"));
+        QVERIFY(contains(registerJointly(drawn.measured, few).error().message(),
+                         "camera 'B' sees only 2 of the markers"));
         auto apart = drawn.cameras;
         apart[0].pixels.erase(apart[0].pixels.begin() + 3, apart[0].pixels.end());
         apart[1].pixels.erase(apart[1].pixels.begin(), apart[1].pixels.begin() + 3);
-        QVERIFY(contains(registerJointly(drawn.measured, apart).error().message(), "no two of the cameras see the same marker"));
+        QVERIFY(contains(registerJointly(drawn.measured, apart).error().message(),
+                         "no two of the cameras see the same marker"));
     }
 };
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Images of the largest size that is read: detection in them is bounded in memory, ends when cancelled, and measures in the image itself.
-#include "core/base/cancel_scope.h"
+// Images of the largest size that is read: detection in them is bounded in memory, ends when cancelled, and
+// measures in the image itself.
+#include "core/base/job_control.h"
 #include "core/calibration/board_detection.h"
-#include "core/calibration/round_markers.h"
-#include "core/calibration/tag_detection.h"
+#include "core/calibration/internal/round_markers.h"
+#include "core/calibration/internal/tag_detection.h"
 #include "tests/calibration/pictures.h"
 #include "tests/support/registered_test.h"
 
@@ -57,14 +58,19 @@ Frame grey()
     return frameOf(cv::Mat(height, width, CV_8UC1, cv::Scalar(128)));
 }
 
-/// A checkerboard, turned, with squares of sidePx; corners by the place of the first and the step along a row.
+/// A checkerboard, turned, with squares of sidePx; corners by the place of the first and the step along a
+/// row.
 struct Board
 {
     Vector2d firstPx{2300.3, 1200.7}, stepPx{300, 60};
-    Vector2d corner(int column, int row) const { return firstPx + column * stepPx + row * Vector2d(-stepPx.y(), stepPx.x()); }
+    Vector2d corner(int column, int row) const
+    {
+        return firstPx + column * stepPx + row * Vector2d(-stepPx.y(), stepPx.x());
+    }
 };
 
-/// A drawing laid into an image so that its point `from` comes to `to`, turned and scaled by step / unit; both as pixels' centres.
+/// A drawing laid into an image so that its point `from` comes to `to`, turned and scaled by step / unit;
+/// both as pixels' centres.
 cv::Mat laid(const cv::Mat &drawing, const Vector2d &from, const Vector2d &to, const Vector2d &step)
 {
     const cv::Matx23d map(step.x(), -step.y(), to.x() - step.x() * from.x() + step.y() * from.y(), //
@@ -87,7 +93,8 @@ private Q_SLOTS:
         QTest::newRow("board") << true;
         QTest::newRow("markers") << false;
     }
-    /// With the image (150 MB) and the program (60 MB) it is to stay within 500 MB. It took 1.1 GB and 0.5 GB.
+    /// With the image (150 MB) and the program (60 MB) it is to stay within 500 MB. It took 1.1 GB and 0.5
+    /// GB.
     void detectionTakesLittleMemory()
     {
         QFETCH(bool, board);
@@ -98,7 +105,8 @@ private Q_SLOTS:
             if (board)
                 QVERIFY(!findBoard(frame, {}, "grey"));
             else
-                QVERIFY(findTags(frame).empty() && findSmallTags(frame).empty() && findRoundMarkers(frame).empty());
+                QVERIFY(findTags(frame).empty() && findSmallTags(frame).empty() &&
+                        findRoundMarkers(frame).empty());
         });
         QVERIFY2(most < 280, qPrintable(QString::number(most)));
     }
@@ -127,10 +135,12 @@ private Q_SLOTS:
         }
         canceller.join();
         QVERIFY(ended);
-        QVERIFY2(sinceCancelled.elapsed() < 2000, qPrintable(QString::number(sinceCancelled.elapsed()))); // a second, beside other tests
+        // a second, beside other tests
+        QVERIFY2(sinceCancelled.elapsed() < 2000, qPrintable(QString::number(sinceCancelled.elapsed())));
     }
 
-    /// Within 0.1 px: the blur is even, and each corner is measured in the image itself (at half its size the grid is known to half a pixel).
+    /// Within 0.1 px: the blur is even, and each corner is measured in the image itself (at half its size the
+    /// grid is known to half a pixel).
     void aCheckerboardIsMeasuredInTheImageItself()
     {
         constexpr int columns = 9, rows = 6, side = 40;
@@ -145,7 +155,8 @@ private Q_SLOTS:
         BoardSpec spec;
         spec.columns = columns;
         spec.rows = rows;
-        const auto view = findBoard(frameOf(laid(drawing, first, board.firstPx, board.stepPx / (8 * side))), spec, "large");
+        const auto view =
+            findBoard(frameOf(laid(drawing, first, board.firstPx, board.stepPx / (8 * side))), spec, "large");
         QVERIFY2(view.has_value(), view ? "" : view.error().message().c_str());
         QCOMPARE(view->pixels.size(), std::size_t(columns * rows));
         for (int y = 0; y < rows; ++y)
@@ -161,11 +172,13 @@ private Q_SLOTS:
     void aCharucoBoardIsMeasuredInTheImageItself()
     {
         constexpr int squares = 7, side = 320;
-        const auto charuco = cv::aruco::CharucoBoard::create(squares, 5, 1.0F, 0.5F, cv::aruco::getPredefinedDictionary(cv::aruco::DICT_6X6_250));
+        const auto charuco = cv::aruco::CharucoBoard::create(
+            squares, 5, 1.0F, 0.5F, cv::aruco::getPredefinedDictionary(cv::aruco::DICT_6X6_250));
         cv::Mat drawing;
         charuco->draw({squares * side + 2 * side, 5 * side + 2 * side}, drawing, side, 1);
         const Vector2d start(1500.4, 900.2), step(0.9, 0.1);
-        const auto view = findBoard(frameOf(laid(drawing, {side - 0.5, side - 0.5}, start, step)), {}, "large");
+        const auto view =
+            findBoard(frameOf(laid(drawing, {side - 0.5, side - 0.5}, start, step)), {}, "large");
         QVERIFY2(view.has_value(), view ? "" : view.error().message().c_str());
         QCOMPARE(view->pixels.size(), std::size_t(24));
         double worst = 0;
@@ -174,7 +187,11 @@ private Q_SLOTS:
             for (int y = 1; y < 5; ++y)
                 for (int x = 1; x < squares; ++x) {
                     const Vector2d at = side * Vector2d(x, y);
-                    nearest = std::min(nearest, (start + Vector2d(step.x() * at.x() - step.y() * at.y(), step.y() * at.x() + step.x() * at.y()) - pixel).norm());
+                    nearest = std::min(nearest, (start +
+                                                 Vector2d(step.x() * at.x() - step.y() * at.y(),
+                                                          step.y() * at.x() + step.x() * at.y()) -
+                                                 pixel)
+                                                    .norm());
                 }
             worst = std::max(worst, nearest);
         }
@@ -188,7 +205,8 @@ private Q_SLOTS:
         const TagCells cells = tagCells(3);
         for (int y = 0; y < cells.side; ++y)
             for (int x = 0; x < cells.side; ++x)
-                image(cv::Rect(tagAt + x * cellPx, tagAt + y * cellPx, cellPx, cellPx)) = cells.white[std::size_t(y * cells.side + x)] ? 200 : 30;
+                image(cv::Rect(tagAt + x * cellPx, tagAt + y * cellPx, cellPx, cellPx)) =
+                    cells.white[std::size_t(y * cells.side + x)] ? 200 : 30;
         cv::circle(image, {ringAt, ringAt}, 60, cv::Scalar(30), cv::FILLED, cv::LINE_AA);
         cv::circle(image, {ringAt, ringAt}, 30, cv::Scalar(200), cv::FILLED, cv::LINE_AA);
         cv::GaussianBlur(image, image, {0, 0}, 1.5);
@@ -197,12 +215,16 @@ private Q_SLOTS:
         const auto tags = findTags(frame);
         QCOMPARE(tags.size(), std::size_t(1));
         QCOMPARE(tags[0].number, 3);
-        QVERIFY2((tags[0].pixel - Vector2d(middle, middle)).norm() < 0.05, qPrintable(QString::number((tags[0].pixel - Vector2d(middle, middle)).norm())));
+        QVERIFY2((tags[0].pixel - Vector2d(middle, middle)).norm() < 0.05,
+                 qPrintable(QString::number((tags[0].pixel - Vector2d(middle, middle)).norm())));
         const auto rings = findRoundMarkers(frame);
-        const auto ring = std::ranges::find_if(rings, [&](const RoundMarker &marker) { return (marker.centrePx - Vector2d(ringAt, ringAt)).norm() < 3; });
+        const auto ring = std::ranges::find_if(rings, [&](const RoundMarker &marker) {
+            return (marker.centrePx - Vector2d(ringAt, ringAt)).norm() < 3;
+        });
         QVERIFY(ring != rings.end());
         QCOMPARE(ring->kind, RoundMarker::Kind::Ring);
-        QVERIFY2((ring->centrePx - Vector2d(ringAt, ringAt)).norm() < 0.05, qPrintable(QString::number((ring->centrePx - Vector2d(ringAt, ringAt)).norm())));
+        QVERIFY2((ring->centrePx - Vector2d(ringAt, ringAt)).norm() < 0.05,
+                 qPrintable(QString::number((ring->centrePx - Vector2d(ringAt, ringAt)).norm())));
         QVERIFY(std::abs(ring->outline.semiAxes.x() - 60.5) < 1);
     }
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/floor_registration.h"
-#include "core/calibration/marker_assignment.h"
-#include "core/geometry/point_layout.h"
+#include "core/calibration/internal/marker_assignment.h"
+#include "core/geometry/homography.h"
 #include "core/simulation/demo_testbed.h"
 #include "tests/support/registered_test.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/calibration/lens_cost.h"
+#include "core/calibration/internal/lens_cost.h"
 
 #include "tests/support/registered_test.h"
 

@@ -19,7 +19,9 @@ constexpr int widthPx = 1280, heightPx = 720;
 
 CameraModel camera(LensModel model, std::vector<double> distortion)
 {
-    return CameraModel::create({widthPx, heightPx, 902.5, 905.5, 651.25, 348.5, model, std::move(distortion), {}}).value();
+    return CameraModel::create(
+               {widthPx, heightPx, 902.5, 905.5, 651.25, 348.5, model, std::move(distortion), {}})
+        .value();
 }
 
 CameraModel ordinary()
@@ -27,12 +29,14 @@ CameraModel ordinary()
     return camera(LensModel::Standard, {-0.2, 0.06, 0.0005, -0.0003, 0});
 }
 
-Result<IntrinsicCalibration> calibrate(const std::vector<BoardView> &views, std::optional<LensModel> model = std::nullopt)
+Result<IntrinsicCalibration> calibrate(const std::vector<BoardView> &views,
+                                       std::optional<LensModel> model = std::nullopt)
 {
     return calibrateIntrinsics(views, widthPx, heightPx, model, JobControl());
 }
 
-/// Moves so many corners of all pictures by 4 to 12 px in any direction; their numbers counted over all pictures.
+/// Moves so many corners of all pictures by 4 to 12 px in any direction; their numbers counted over all
+/// pictures.
 std::vector<std::size_t> misread(std::vector<BoardView> &views, std::size_t count, unsigned seed)
 {
     std::mt19937 random(seed);
@@ -74,14 +78,18 @@ private Q_SLOTS:
             for (int i = 0; i < 4; ++i)
                 inside[std::size_t(i)] +=
                     std::abs(values[i] - wanted[i]) < 1.96 * std::sqrt(found.covariance(i, i));
-            worstFocal = std::max({worstFocal, std::abs(values[0] / wanted[0] - 1), std::abs(values[1] / wanted[1] - 1)});
+            worstFocal = std::max(
+                {worstFocal, std::abs(values[0] / wanted[0] - 1), std::abs(values[1] / wanted[1] - 1)});
             worstCentre = std::max(worstCentre, (values.tail<2>() - wanted.tail<2>()).cwiseAbs().maxCoeff());
         }
-        qInfo("%g px: inside the stated 95 %%: fx %.1f, fy %.1f, cx %.1f, cy %.1f %%; worst of %d sets: focal length "
+        qInfo("%g px: inside the stated 95 %%: fx %.1f, fy %.1f, cx %.1f, cy %.1f %%; worst of %d sets: "
+              "focal length "
               "%.3f %%, principal point %.2f px",
-              noisePx, inside[0] / 2.0, inside[1] / 2.0, inside[2] / 2.0, inside[3] / 2.0, sets, 100 * worstFocal, worstCentre);
+              noisePx, inside[0] / 2.0, inside[1] / 2.0, inside[2] / 2.0, inside[3] / 2.0, sets,
+              100 * worstFocal, worstCentre);
         for (int i = 0; i < 4; ++i)
-            QVERIFY2(inside[std::size_t(i)] >= 184 && inside[std::size_t(i)] <= 197, qPrintable(QString::number(i)));
+            QVERIFY2(inside[std::size_t(i)] >= 184 && inside[std::size_t(i)] <= 197,
+                     qPrintable(QString::number(i)));
         QVERIFY(worstFocal < 0.003);
         QVERIFY(worstCentre < 3);
     }
@@ -105,8 +113,10 @@ private Q_SLOTS:
         }
         // The error is of two coordinates, the stated σ the larger of them: a ratio between 1 and sqrt(2).
         const double ratio = std::sqrt(middle / statedMiddle);
-        qInfo("error in the middle of the floor %.2f mm RMS, stated %.2f mm; at worst %.2f mm, stated %.2f mm",
-              1000 * std::sqrt(middle), 1000 * std::sqrt(statedMiddle), 1000 * std::sqrt(worst), 1000 * std::sqrt(statedWorst));
+        qInfo(
+            "error in the middle of the floor %.2f mm RMS, stated %.2f mm; at worst %.2f mm, stated %.2f mm",
+            1000 * std::sqrt(middle), 1000 * std::sqrt(statedMiddle), 1000 * std::sqrt(worst),
+            1000 * std::sqrt(statedWorst));
         QVERIFY2(ratio > 0.7 && ratio < 1.7, qPrintable(QString::number(ratio)));
     }
     void theModelIsChosenByWhatItForetells_data()
@@ -114,10 +124,12 @@ private Q_SLOTS:
         QTest::addColumn<int>("model");
         QTest::addColumn<QVector<double>>("distortion");
         QTest::addColumn<QString>("words");
-        QTest::newRow("standard") << int(LensModel::Standard) << QVector<double>{-0.28, 0.11, 0.001, -0.0007, -0.02}
+        QTest::newRow("standard") << int(LensModel::Standard)
+                                  << QVector<double>{-0.28, 0.11, 0.001, -0.0007, -0.02}
                                   << QStringLiteral("Standard lens: it foretells pictures held out to ");
-        QTest::newRow("without distortion") << int(LensModel::Standard) << QVector<double>{}
-                                            << QStringLiteral("Standard lens: it foretells pictures held out to ");
+        QTest::newRow("without distortion")
+            << int(LensModel::Standard) << QVector<double>{}
+            << QStringLiteral("Standard lens: it foretells pictures held out to ");
         QTest::newRow("fisheye") << int(LensModel::Fisheye) << QVector<double>{0.35, -0.3, 0.25, -0.1}
                                  << QStringLiteral("Fisheye lens: it foretells pictures held out to ");
     }
@@ -138,8 +150,8 @@ private Q_SLOTS:
                 std::mt19937 random(set);
                 std::uniform_real_distribution<double> across(-1, 1);
                 for (int i = 0; i < 12; ++i) {
-                    views.push_back(see(truth, {0.32 * (i % 4 - 1.5) / 1.5, 0.13 * (i / 4 - 1), 0.32}, 0.5 * across(random),
-                                        0.5 * across(random), 0, random, 0.15));
+                    views.push_back(see(truth, {0.32 * (i % 4 - 1.5) / 1.5, 0.13 * (i / 4 - 1), 0.32},
+                                        0.5 * across(random), 0.5 * across(random), 0, random, 0.15));
                     views.back().source = "wide" + std::to_string(i);
                 }
             }
@@ -197,7 +209,8 @@ private Q_SLOTS:
         QVERIFY(result.has_value());
         QCOMPARE(result->pictures[6].outliers, (std::vector<std::size_t>{0, 1, 2, 3, 4}));
         QVERIFY(result->pictures[6].leftOut.empty());
-        QVERIFY(contains(result->verdict, "5 corners that stand out side by side were kept, in picture6 (5)"));
+        QVERIFY(
+            contains(result->verdict, "5 corners that stand out side by side were kept, in picture6 (5)"));
     }
     void picturesAreLeftOutByAThreshold()
     {
@@ -248,10 +261,12 @@ private Q_SLOTS:
         std::uniform_real_distribution<double> across(-1, 1);
         std::vector<BoardView> views;
         for (int i = 0; i < 12; ++i)
-            views.push_back(see(truth, {-0.55, -0.27, 1.1}, 0.7 * across(random), 0.7 * across(random), 0, random, 0.1));
+            views.push_back(
+                see(truth, {-0.55, -0.27, 1.1}, 0.7 * across(random), 0.7 * across(random), 0, random, 0.1));
         const auto result = calibrate(views);
         QVERIFY2(!result.has_value(), result ? result->verdict.c_str() : "");
-        QVERIFY(contains(result.error().message(), "12 pictures show the board in one place, the upper left"));
+        QVERIFY(
+            contains(result.error().message(), "12 pictures show the board in one place, the upper left"));
     }
     void refusesPicturesOfTwoZooms()
     {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is wrong with pictures of a board, one by one and together: each kind in words of its own. Those of the floor's
-// markers are in tst_floor_sentences.
+// What is wrong with pictures of a board, one by one and together: each kind in words of its own. Those of
+// the floor's markers are in tst_floor_sentences.
 #include "core/calibration/board_collector.h"
 #include "core/calibration/intrinsic_calibration.h"
 #include "core/simulation/renderer.h"
@@ -22,7 +22,8 @@ SimulatedBoard boardAt(const Vector3d &middle, double turnDegrees)
 {
     SimulatedBoard board;
     board.cameraFromBoard.rotation = Eigen::AngleAxisd(turnDegrees * degree, Vector3d::UnitY());
-    board.cameraFromBoard.translation = middle - board.cameraFromBoard.rotation * (0.025 * Vector3d(4, 2.5, 0));
+    board.cameraFromBoard.translation =
+        middle - board.cameraFromBoard.rotation * (0.025 * Vector3d(4, 2.5, 0));
     return board;
 }
 
@@ -76,7 +77,8 @@ std::vector<BoardView> twelve(double depthM, const Vector3d &spread, double tilt
     std::uniform_real_distribution<double> across(-1, 1);
     std::vector<BoardView> views;
     for (int i = 0; i < 12; ++i) {
-        const Vector3d middle(spread.x() * across(random), spread.y() * across(random), depthM + spread.z() * across(random));
+        const Vector3d middle(spread.x() * across(random), spread.y() * across(random),
+                              depthM + spread.z() * across(random));
         views.push_back(see(camera, middle, tilt * across(random), tilt * across(random), 0.2, random, 0.2));
         views.back().source = "picture" + std::to_string(i);
     }
@@ -89,7 +91,8 @@ std::vector<BoardView> ofTwoCameras()
     Intrinsics other = camera.intrinsics();
     other.fxPx *= 1.4;
     other.fyPx *= 1.4;
-    std::vector<BoardView> views = tiltedViews(camera, 8, 0.1), more = tiltedViews(*CameraModel::create(other), 8, 0.1, 2);
+    std::vector<BoardView> views = tiltedViews(camera, 8, 0.1),
+                           more = tiltedViews(*CameraModel::create(other), 8, 0.1, 2);
     views.insert(views.end(), more.begin(), more.end());
     return views;
 }
@@ -104,9 +107,21 @@ struct BadInput
 const BadInput badInputs[] = {
     {"no board", [] { return answerTo(empty()); }, "no board found"},
     {"blurred", [] { return answerTo(blurred()); }, "blurred"},
-    {"too oblique", [] { return answerTo(seen(boardAt({0, 0, 0.3}, 68))); }, "too obliquely"},
-    {"too small", [] { return answerTo(seen(boardAt({0, 0, 2.6}, 0))); }, "too small"},
-    {"the same pose again", [] { return answerTo(seen(boardAt({0.002, 0, 0.451}, 1))); }, "stands as in first.png already"},
+    {"too oblique",
+     [] {
+         return answerTo(seen(boardAt({0, 0, 0.3}, 68)));
+     },
+     "too obliquely"},
+    {"too small",
+     [] {
+         return answerTo(seen(boardAt({0, 0, 2.6}, 0)));
+     },
+     "too small"},
+    {"the same pose again",
+     [] {
+         return answerTo(seen(boardAt({0.002, 0, 0.451}, 1)));
+     },
+     "stands as in first.png already"},
     {"another board",
      [] {
          SimulatedBoard board = boardAt({0.03, 0, 0.4}, 20);
@@ -114,10 +129,23 @@ const BadInput badInputs[] = {
          return answerTo(seen(board));
      },
      "this board has 8x6 inner corners, 9x6 was asked for"},
-    {"another size of picture", [] { return answerTo(seen(boardAt({0.03, 0, 0.4}, 20), 800, 600)); }, "it is 800×600, the first picture 640×360"},
-    {"too few", [] { return answerTo(tiltedViews(camera, 2, 0.1)); }, "three pictures of the board are needed, 2 can be used"},
-    {"all frontal", [] { return answerTo(twelve(0.7, {0.3, 0.18, 0.1}, 0)); }, "in nearly the same attitude"},
-    {"all in one place", [] { return answerTo(twelve(1.3, {0.01, 0.01, 0.01}, 0.5)); }, "show the board in one place, the middle"},
+    {"another size of picture",
+     [] {
+         return answerTo(seen(boardAt({0.03, 0, 0.4}, 20), 800, 600));
+     },
+     "it is 800×600, the first picture 640×360"},
+    {"too few", [] { return answerTo(tiltedViews(camera, 2, 0.1)); },
+     "three pictures of the board are needed, 2 can be used"},
+    {"all frontal",
+     [] {
+         return answerTo(twelve(0.7, {0.3, 0.18, 0.1}, 0));
+     },
+     "in nearly the same attitude"},
+    {"all in one place",
+     [] {
+         return answerTo(twelve(1.3, {0.01, 0.01, 0.01}, 0.5));
+     },
+     "show the board in one place, the middle"},
     {"two cameras", [] { return answerTo(ofTwoCameras()); }, "focal length"},
 };
 
@@ -134,7 +162,8 @@ private Q_SLOTS:
             const auto error = bad.answer();
             QVERIFY2(error, bad.kind);
             qInfo("%s: %s", bad.kind, error->message().c_str());
-            QVERIFY2(error->why.find(bad.words) != std::string::npos, (std::string(bad.kind) + ": " + error->message()).c_str());
+            QVERIFY2(error->why.find(bad.words) != std::string::npos,
+                     (std::string(bad.kind) + ": " + error->message()).c_str());
             QVERIFY2(!error->advice.empty(), bad.kind);
             QVERIFY2(sentences.insert(error->why).second, bad.kind);
         }

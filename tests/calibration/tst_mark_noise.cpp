@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/calibration/mark_noise.h"
+#include "core/calibration/floor_registration.h"
 
 #include "tests/support/registered_test.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/calibration/marker_snap.h"
+#include "core/calibration/marker_detection.h"
 #include "tests/calibration/floor_views.h"
 #include "tests/support/registered_test.h"
 
@@ -37,7 +37,9 @@ Tape angle(const Vector2d &corner, double turnRad, RgbColour colour)
 {
     const Vector2d x(std::cos(turnRad), std::sin(turnRad)), y(-x.y(), x.x());
     const Vector2d middle = corner + 0.5 * tapeM * (x + y);
-    return {corner, {strip(middle - 0.5 * tapeM * x, middle + 0.25 * x, colour), strip(middle - 0.5 * tapeM * y, middle + 0.25 * y, colour)}};
+    return {corner,
+            {strip(middle - 0.5 * tapeM * x, middle + 0.25 * x, colour),
+             strip(middle - 0.5 * tapeM * y, middle + 0.25 * y, colour)}};
 }
 
 Frame drawn(const FloorView &view, const std::vector<FloorPatch> &patches, double noise, std::uint32_t seed)
@@ -70,7 +72,8 @@ private Q_SLOTS:
     {
         QFETCH(MarkerFigure, figure);
         QFETCH(int, kind);
-        const MarkerLayout layout{"floor", {{"O", {0, 0}}, {"U", {2.4, 0}}, {"V", {0, 1.8}}, {"D", {2.7, 2.0}}}};
+        const MarkerLayout layout{"floor",
+                                  {{"O", {0, 0}}, {"U", {2.4, 0}}, {"V", {0, 1.8}}, {"D", {2.7, 2.0}}}};
         const DrawnView view = drawFloorView(layout, figure, 0.16, 1002);
         std::mt19937 random(3);
         std::uniform_real_distribution<double> off(-4, 4);
@@ -117,15 +120,18 @@ private Q_SLOTS:
                 if (truth.x() < 40 || truth.y() < 40 || truth.x() > 1240 || truth.y() > 680)
                     continue;
                 // Beside the cross anywhere; from an angle's corner outwards, as one clicks who means it.
-                const auto snapped = snapToMarker(frame, truth + (isCross ? 1.0 : 0.5) * Vector2d(off(random), off(random)));
+                const auto snapped =
+                    snapToMarker(frame, truth + (isCross ? 1.0 : 0.5) * Vector2d(off(random), off(random)));
                 const double error = (snapped.pixel - truth).norm();
                 ++tried;
-                const bool isGood = snapped.kind == (isCross ? Kind::TapeCrossing : Kind::TapeCorner) && error < 0.5;
+                const bool isGood =
+                    snapped.kind == (isCross ? Kind::TapeCrossing : Kind::TapeCorner) && error < 0.5;
                 good += isGood;
                 if (isGood)
                     squares += error * error;
                 else
-                    qInfo("picture %u at %.0f, %.0f: kind %d, %.2f px off", picture, truth.x(), truth.y(), int(snapped.kind), error);
+                    qInfo("picture %u at %.0f, %.0f: kind %d, %.2f px off", picture, truth.x(), truth.y(),
+                          int(snapped.kind), error);
             }
         }
         qInfo("%d of %d, %.3f px RMS", good, tried, std::sqrt(squares / good));
@@ -138,11 +144,12 @@ private Q_SLOTS:
         const FloorView view = simulatedView({-0.9, -1.55, 2.0}, {1.4, 0.9, 0.0}, 1280, 720, 960);
         const Vector2d at(1.3, 0.8);
         const RgbColour black{30, 30, 30};
-        const Frame frame = drawn(view,
-                                  {{RgbColour{235, 235, 235}, {{1.0, 0.5}, {1.6, 0.5}, {1.6, 1.1}, {1.0, 1.1}}},
-                                   {black, {{1.1, 0.6}, {1.3, 0.6}, {1.3, 0.8}, {1.1, 0.8}}},
-                                   {black, {{1.3, 0.8}, {1.5, 0.8}, {1.5, 1.0}, {1.3, 1.0}}}},
-                                  2, 5);
+        const Frame frame =
+            drawn(view,
+                  {{RgbColour{235, 235, 235}, {{1.0, 0.5}, {1.6, 0.5}, {1.6, 1.1}, {1.0, 1.1}}},
+                   {black, {{1.1, 0.6}, {1.3, 0.6}, {1.3, 0.8}, {1.1, 0.8}}},
+                   {black, {{1.3, 0.8}, {1.5, 0.8}, {1.5, 1.0}, {1.3, 1.0}}}},
+                  2, 5);
         const Vector2d truth = *view.pixelFromWorld({at.x(), at.y(), 0});
         const auto snapped = snapToMarker(frame, truth + Vector2d(3, -4));
         QCOMPARE(int(snapped.kind), int(Kind::Saddle));
@@ -153,7 +160,8 @@ private Q_SLOTS:
         const FloorView view = simulatedView({-0.9, -1.55, 2.0}, {1.4, 0.9, 0.0}, 1280, 720, 960);
         const Frame frame = drawn(view, {}, 2, 6);
         int moved = 0;
-        for (const Vector2d &click : {Vector2d(500, 400), Vector2d(700, 300), Vector2d(640, 500), Vector2d(800, 450)}) {
+        for (const Vector2d &click :
+             {Vector2d(500, 400), Vector2d(700, 300), Vector2d(640, 500), Vector2d(800, 450)}) {
             const auto snapped = snapToMarker(frame, click);
             moved += snapped.kind != Kind::None;
             if (snapped.kind == Kind::None)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/board_detection.h"
 #include "core/calibration/intrinsic_calibration.h"
-#include "core/simulation/board_poses.h"
+#include "core/simulation/renderer.h"
 #include "tests/support/registered_test.h"
 
 #include <QTest>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/calibration/tag_alignment.h"
-#include "core/calibration/tag_detection.h"
+#include "core/calibration/internal/tag_alignment.h"
+#include "core/calibration/internal/tag_detection.h"
 #include "tests/calibration/pictures.h"
 #include "tests/support/registered_test.h"
 

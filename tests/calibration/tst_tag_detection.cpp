@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/calibration/tag_detection.h"
+#include "core/calibration/internal/tag_detection.h"
 
 #include "tests/support/registered_test.h"
 

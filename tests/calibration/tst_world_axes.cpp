@@ -97,8 +97,9 @@ private Q_SLOTS:
         std::normal_distribution<double> noise(0, 0.3);
         std::vector<MarkerPixel> pixels;
         for (const Marker &marker : layout().markers)
-            pixels.push_back({marker.label, *truth.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0}) +
-                                                Vector2d(noise(random), noise(random))});
+            pixels.push_back(
+                {marker.label, *truth.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0}) +
+                                   Vector2d(noise(random), noise(random))});
         AxesChange change;
         change.lengthFactor = 2;
         change.originMarker = "U";

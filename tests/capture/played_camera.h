@@ -64,7 +64,7 @@ public:
         m_stopped = true;
         m_wake.notify_all();
     }
-    std::atomic<bool> held = false; ///< the camera's automatics
+    std::atomic<bool> held = false;     ///< the camera's automatics
     std::atomic<int> robotsToShow = -1; ///< as many were given last; -1: none ever were
 
     /// nullopt once stopped.
@@ -121,7 +121,10 @@ public:
         return m_kind.notHeld;
     }
     void releaseAutomatics() override { m_script->held = false; }
-    void showRobots(const std::vector<RobotAppearance> &robots) override { m_script->robotsToShow = int(robots.size()); }
+    void showRobots(const std::vector<RobotAppearance> &robots) override
+    {
+        m_script->robotsToShow = int(robots.size());
+    }
     Result<CapturedFrame> next() override
     {
         for (;;) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/capture/played_driver.h"
 
-#include "core/capture/v4l2/v4l2_sysfs.h"
+#include "core/capture/v4l2/internal/v4l2_sysfs.h"
 
 #include <algorithm>
 #include <cerrno>

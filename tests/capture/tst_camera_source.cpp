@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/board_detection.h"
-#include "core/capture/file_source.h"
-#include "core/capture/simulated_source.h"
-#include "core/simulation/board_poses.h"
-#include "core/simulation/demo_robots.h"
+#include "core/capture/internal/stand_in_source.h"
 #include "core/simulation/demo_testbed.h"
+#include "core/simulation/renderer.h"
 #include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
@@ -22,7 +20,8 @@ struct Shown
     int y = 0, cb = 0, cr = 0;
 };
 
-/// What the next frame shows where a robot's side or top must be seen: a little above the middle of its footprint.
+/// What the next frame shows where a robot's side or top must be seen: a little above the middle of its
+/// footprint.
 Shown shownAt(CameraSource &source, const SimulatedScene &scene, const std::vector<SimulatedRobot> &robots)
 {
     const Frame frame = source.next()->frame;
@@ -34,7 +33,8 @@ Shown shownAt(CameraSource &source, const SimulatedScene &scene, const std::vect
 
 std::unique_ptr<CameraSource> board(Pace::Kind pace)
 {
-    return simulatedBoardSource({"sim:T", "simulated", "T", 320, 180, 10}, lens, {}, heldBoardPoses(lens, {}, 3, 1), pace);
+    return simulatedBoardSource({"sim:T", "simulated", "T", 320, 180, 10}, lens, {},
+                                heldBoardPoses(lens, {}, 3, 1), pace);
 }
 
 } // namespace
@@ -64,7 +64,8 @@ private Q_SLOTS:
             const auto captured = source->next();
             QVERIFY(captured);
             const auto view = findBoard(captured->frame, spec, "p");
-            if (i == 0 || i == 9 || i == 16) { // held for a second, then half a second on its way, then held again
+            // held for a second, then half a second on its way, then held again
+            if (i == 0 || i == 9 || i == 16) {
                 QVERIFY2(view, view ? "" : view.error().message().c_str());
                 corners.push_back(view->pixels.front());
             }
@@ -77,7 +78,8 @@ private Q_SLOTS:
     {
         SimulatedScene scene = demoTestbed(1);
         scene.durationS = 0.2;
-        const auto source = simulatedSceneSource({"sim:A", "simulated", "A", 1280, 720, 30}, scene, 0, Pace::Kind::None);
+        const auto source =
+            simulatedSceneSource({"sim:A", "simulated", "A", 1280, 720, 30}, scene, 0, Pace::Kind::None);
         for (std::uint64_t i = 0; i < 8; ++i)
             QCOMPARE(source->next()->sequence, i);
     }
@@ -85,19 +87,26 @@ private Q_SLOTS:
     void aSceneShowsTheRobotsThatAreChosen()
     {
         const SimulatedScene scene = demoTestbed(1); // in which there is none
-        const auto source = simulatedSceneSource({"sim:A", "simulated", "A", 1280, 720, 30}, scene, 0, Pace::Kind::None);
+        const auto source =
+            simulatedSceneSource({"sim:A", "simulated", "A", 1280, 720, 30}, scene, 0, Pace::Kind::None);
         const Shown floor = shownAt(*source, scene, circlingRobots({}));
         // By BT.601 a red has much of Cr, a blue of Cb; the rover is dark and grey.
-        for (const std::vector<RobotAppearance> &chosen :
-             {std::vector<RobotAppearance>{{.colour = demoRed}}, {{.colour = demoBlue}, {}}, {{}}, {{.colour = demoRed, .heightM = 0.2}}, {}}) {
+        for (const std::vector<RobotAppearance> &chosen : {std::vector<RobotAppearance>{{.colour = demoRed}},
+                                                           {{.colour = demoBlue}, {}},
+                                                           {{}},
+                                                           {{.colour = demoRed, .heightM = 0.2}},
+                                                           {}}) {
             source->showRobots(chosen);
             const std::vector<SimulatedRobot> robots = circlingRobots(chosen);
             for (std::size_t i = 0; i < robots.size(); ++i) {
                 const Shown shown = shownAt(*source, scene, {robots[i]});
-                const bool isRed = !chosen.empty() && chosen[i].colour == demoRed, isBlue = chosen.empty() || chosen[i].colour == demoBlue;
-                QVERIFY2((shown.cr > 160) == isRed && (shown.cb > 150) == isBlue, qPrintable(QStringLiteral("%1 %2 %3").arg(shown.y).arg(shown.cb).arg(shown.cr)));
+                const bool isRed = !chosen.empty() && chosen[i].colour == demoRed,
+                           isBlue = chosen.empty() || chosen[i].colour == demoBlue;
+                QVERIFY2((shown.cr > 160) == isRed && (shown.cb > 150) == isBlue,
+                         qPrintable(QStringLiteral("%1 %2 %3").arg(shown.y).arg(shown.cb).arg(shown.cr)));
                 if (!isRed && !isBlue)
-                    QVERIFY(shown.y < floor.y - 20 && std::abs(shown.cb - 128) < 30 && std::abs(shown.cr - 128) < 30);
+                    QVERIFY(shown.y < floor.y - 20 && std::abs(shown.cb - 128) < 30 &&
+                            std::abs(shown.cr - 128) < 30);
             }
         }
     }

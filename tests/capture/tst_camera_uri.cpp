@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/capture/camera_uri.h"
+#include "core/capture/camera_source.h"
 
 #include "tests/support/registered_test.h"
 

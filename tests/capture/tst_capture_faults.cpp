@@ -186,16 +186,20 @@ void TestCaptureFaults::aFileThatIsNoLongerThereIsTold()
     cameras.session->startRecording({folder / "here" / "a.mkv", folder / "here" / "b.mkv"});
     cameras.pictures(lot);
     QTRY_COMPARE(cameras.delivered(), std::uint64_t(lot));
-    QTRY_VERIFY(std::filesystem::exists(folder / "here" / "a.mkv") && std::filesystem::exists(folder / "here" / "b.mkv"));
+    QTRY_VERIFY(std::filesystem::exists(folder / "here" / "a.mkv") &&
+                std::filesystem::exists(folder / "here" / "b.mkv"));
     std::filesystem::rename(folder / "here", folder / "elsewhere");
     const Nanoseconds moved = steadyNow();
     QTRY_VERIFY((cameras.pictures(1), cameras.session->health().disk.ended));
-    QVERIFY2(steadyNow() - moved < 1500ms * slowness, qPrintable(QString::number(toSeconds(steadyNow() - moved))));
+    QVERIFY2(steadyNow() - moved < 1500ms * slowness,
+             qPrintable(QString::number(toSeconds(steadyNow() - moved))));
     const RecordingOutcome outcome = cameras.session->stopRecording();
-    const auto cut = std::ranges::find_if(outcome.views, [](const ViewRecording &view) { return view.problem.has_value(); });
+    const auto cut = std::ranges::find_if(outcome.views,
+                                          [](const ViewRecording &view) { return view.problem.has_value(); });
     QVERIFY(cut != outcome.views.end());
-    QVERIFY2(cut->problem->message().ends_with(".mkv: its file is no longer there; put its disk or folder back where it was; "
-                                               "what was recorded so far is there"),
+    QVERIFY2(cut->problem->message().ends_with(
+                 ".mkv: its file is no longer there; put its disk or folder back where it was; "
+                 "what was recorded so far is there"),
              cut->problem->message().c_str());
     for (const ViewRecording &view : outcome.views) { // nothing of it is given up
         const auto reader = VideoReader::open(folder / "elsewhere" / view.file.filename());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/capture/awaited_source.h"
+#include "core/capture/camera_source.h"
 #include "core/video/video_reader.h"
 #include "tests/capture/two_cameras.h"
 #include "tests/fault/scarce.h"
@@ -90,7 +90,10 @@ private Q_SLOTS:
         const FailingRequest failing(Scarce::Threads, 1);
         const auto source = awaitCamera(
             "play:", Error{ErrorCode::Unavailable, "camera play:", "it is away", "wait"},
-            []() -> Result<std::unique_ptr<CameraSource>> { return fail(ErrorCode::Unavailable, "camera", "it is away", "wait"); }, 1ms);
+            []() -> Result<std::unique_ptr<CameraSource>> {
+                return fail(ErrorCode::Unavailable, "camera", "it is away", "wait");
+            },
+            1ms);
         const auto captured = source->next();
         QVERIFY(!captured);
         QCOMPARE(captured.error().why, std::string(noThreadWords));

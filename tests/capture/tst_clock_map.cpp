@@ -16,7 +16,10 @@ namespace {
 struct Quartz
 {
     double startS = 1000, partsPerMillion = 0;
-    Nanoseconds at(double hostS) const { return fromSeconds((hostS - startS) / (1 + partsPerMillion * 1e-6)); }
+    Nanoseconds at(double hostS) const
+    {
+        return fromSeconds((hostS - startS) / (1 + partsPerMillion * 1e-6));
+    }
 };
 
 constexpr double frameS = 1.0 / 30, exposureS = 0.005;
@@ -78,8 +81,8 @@ private Q_SLOTS:
             std::mt19937 random(seed);
             ClockMap map;
             const auto errors = errorsOfArrivals(map, {1000, partsPerMillion}, random);
-            // The least of seven or eight delays, each even between 0 and 5 ms, is 0.6 ms; the hull lies below
-            // most of those.
+            // The least of seven or eight delays, each even between 0 and 5 ms, is 0.6 ms; the hull lies
+            // below most of those.
             QVERIFY2(rms(errors) < 0.4e-3, qPrintable(QString::number(rms(errors) * 1e3)));
             QVERIFY(std::abs(map.fit()->rate * 1e6 - partsPerMillion) < 60);
             QCOMPARE(map.fit()->source, ClockFit::Source::Arrival);
@@ -110,7 +113,8 @@ private Q_SLOTS:
             errorsOfArrivals(map, quartz, random); // must not matter beside the latches
             std::vector<double> errors, sigmas;
             for (int i = 0; i < 40; ++i) {
-                const double readS = 2012 + i * 0.5, thereS = 20e-6 + wayS(random), backS = 20e-6 + wayS(random);
+                const double readS = 2012 + i * 0.5, thereS = 20e-6 + wayS(random),
+                             backS = 20e-6 + wayS(random);
                 map.addLatch(quartz.at(readS), fromSeconds(readS - thereS), fromSeconds(readS + backS));
                 if (i < 4)
                     continue;
@@ -124,7 +128,8 @@ private Q_SLOTS:
         }
     }
 
-    /// Some quick readings at once, and later only slow ones, some of them held up wholly: the machine is busy.
+    /// Some quick readings at once, and later only slow ones, some of them held up wholly: the machine is
+    /// busy.
     void slowReadingsCountByWhatTheyBound()
     {
         std::mt19937 random(7);
@@ -133,7 +138,8 @@ private Q_SLOTS:
         const Quartz quartz{5000, 60};
         const auto read = [&](double readS, double roundTripS) {
             const double thereS = share(random) * roundTripS;
-            map.addLatch(quartz.at(readS), fromSeconds(readS - thereS), fromSeconds(readS - thereS + roundTripS));
+            map.addLatch(quartz.at(readS), fromSeconds(readS - thereS),
+                         fromSeconds(readS - thereS + roundTripS));
         };
         for (int i = 0; i < 4; ++i)
             read(2000 + i * frameS, 60e-6);
@@ -141,7 +147,8 @@ private Q_SLOTS:
             read(2000 + 0.5 * i, i % 5 == 0 ? 0.3 : 400e-6);
         QCOMPARE(map.epoch(), 0); // held up, not set anew
         QCOMPARE(map.fit()->source, ClockFit::Source::Latch);
-        // Of 16 readings known to 0.1 ms; the four quick ones alone would tell a rate 400 ppm off, 4 ms after ten seconds.
+        // Of 16 readings known to 0.1 ms; the four quick ones alone would tell a rate 400 ppm off, 4 ms after
+        // ten seconds.
         const double error = toSeconds(map.fit()->hostTime(quartz.at(2010))) - 2010;
         QVERIFY2(std::abs(error) < 150e-6, qPrintable(QString::number(error * 1e6)));
         QVERIFY(std::abs(error) < 4 * map.fit()->sigmaS);

@@ -5,9 +5,9 @@
 #include "core/base/steady_now.h"
 #include "core/capture/capture_session.h"
 #include "core/video/video_reader.h"
-#include "played_camera.h"
-#include "played_driver.h"
 #include "tests/capture/aravis/frame_taker.h"
+#include "tests/capture/played_camera.h"
+#include "tests/capture/played_driver.h"
 #include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>

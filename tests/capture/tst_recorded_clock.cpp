@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/capture/recorded_clock.h"
+#include "core/capture/recording_outcome.h"
 
 #include "tests/support/registered_test.h"
 

@@ -48,7 +48,8 @@ private Q_SLOTS:
         for (int i = 0; i < 3; ++i)
             synchroniser.add(0, takenAt(i * interval));
         // The third may yet be nearer to a picture of the first view that is still to come.
-        QCOMPARE(words(synchroniser.take(75ms)), QStringList({QStringLiteral("0+5"), QStringLiteral("33+38")}));
+        QCOMPARE(words(synchroniser.take(75ms)),
+                 QStringList({QStringLiteral("0+5"), QStringLiteral("33+38")}));
         QCOMPARE(words(synchroniser.takeRest()), QStringList(QStringLiteral("66+71")));
         const PairFigures figures = synchroniser.takeFigures();
         QCOMPARE(figures.pairs, 3u);
@@ -66,7 +67,8 @@ private Q_SLOTS:
         for (const int i : {0, 2, 3, 4})
             synchroniser.add(1, takenAt(2ms + i * interval));
         QCOMPARE(words(synchroniser.takeRest()),
-                 QStringList({QStringLiteral("0+2"), QStringLiteral("33+-"), QStringLiteral("99+101"), QStringLiteral("132+134")}));
+                 QStringList({QStringLiteral("0+2"), QStringLiteral("33+-"), QStringLiteral("99+101"),
+                              QStringLiteral("132+134")}));
         const PairFigures figures = synchroniser.takeFigures();
         QCOMPARE(figures.pairs, 3u);
         QCOMPARE(figures.unpaired, 2u);
@@ -82,7 +84,8 @@ private Q_SLOTS:
         synchroniser.add(1, takenAt(20ms));
         synchroniser.add(1, takenAt(86ms));
         QCOMPARE(words(synchroniser.takeRest()),
-                 QStringList({QStringLiteral("0+-"), QStringLiteral("33+20"), QStringLiteral("66+-"), QStringLiteral("99+86")}));
+                 QStringList({QStringLiteral("0+-"), QStringLiteral("33+20"), QStringLiteral("66+-"),
+                              QStringLiteral("99+86")}));
         QCOMPARE(synchroniser.takeFigures().unpaired, 2u);
     }
 
@@ -131,7 +134,8 @@ private Q_SLOTS:
         Synchroniser one({1, interval / 2, 150ms});
         one.add(0, takenAt(10ms));
         one.add(0, takenAt(43ms));
-        QCOMPARE(words(one.take(44ms)), QStringList(QStringLiteral("10"))); // nothing to wait for but its follower
+        // nothing to wait for but its follower
+        QCOMPARE(words(one.take(44ms)), QStringList(QStringLiteral("10")));
         const PairFigures figures = one.takeFigures();
         QCOMPARE(figures.pairs, 0u);
         QCOMPARE(figures.unpaired, 0u);

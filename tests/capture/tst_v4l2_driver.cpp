@@ -3,7 +3,7 @@
 // camera that takes fewer pictures in dim light.
 #include "core/base/steady_now.h"
 #include "core/capture/capture_session.h"
-#include "played_driver.h"
+#include "tests/capture/played_driver.h"
 #include "tests/support/patience.h"
 #include "tests/support/registered_test.h"
 
@@ -18,8 +18,8 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr Nanoseconds told = 1s * slowness;
-const char *const noRoom =
-    "its USB bus has no room left for its pictures (the bus is full, not the disk); plug it in where it shares no bus with another camera";
+const char *const noRoom = "its USB bus has no room left for its pictures (the bus is full, not the disk); "
+                           "plug it in where it shares no bus with another camera";
 
 std::unique_ptr<CaptureSession> sessionOf(const PlayedDriver &driver)
 {
@@ -104,7 +104,8 @@ private Q_SLOTS:
         const std::string named = words();
         other.kill();
         QVERIFY(other.waitForFinished());
-        QVERIFY2(named.ends_with("another program uses it (open in sleep); close that program"), named.c_str());
+        QVERIFY2(named.ends_with("another program uses it (open in sleep); close that program"),
+                 named.c_str());
         QCOMPARE(words(), unnamed);
     }
 

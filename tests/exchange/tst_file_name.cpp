@@ -20,7 +20,9 @@ private Q_SLOTS:
     {
         QTest::addColumn<QByteArray>("name");
         QTest::addColumn<QByteArray>("file");
-        const auto row = [](const char *tag, const QByteArray &name, const QByteArray &file) { QTest::newRow(tag) << name << file; };
+        const auto row = [](const char *tag, const QByteArray &name, const QByteArray &file) {
+            QTest::newRow(tag) << name << file;
+        };
         row("plain", "Trial 1", "Trial 1");
         row("other scripts", "주행 1 Prüfung", "주행 1 Prüfung");
         row("an emoji", "run 🤖", "run 🤖");
@@ -32,10 +34,20 @@ private Q_SLOTS:
         row("other systems", "a:b*c?\"<>|\\", "a-b-c------");
         row("NUL", QByteArray("a\0b", 3), "a-b");
         row("line ends", "a\r\nb\tc", "a--b-c");
-        row("right to left", "a\xe2\x80\xaetxt.exe", "a-txt.exe"); // NOLINT(misc-misleading-bidirectional): such a name is what is asked about
-        row("invisible", "a\xe2\x80\x8b\xef\xbb\xbf" "b", "a--b");
-        row("a line separator", "a\xe2\x80\xa8" "b", "a-b");
-        row("no UTF-8", "a\xff" "b", "a-b");
+        row("right to left", "a\xe2\x80\xaetxt.exe",
+            "a-txt.exe"); // NOLINT(misc-misleading-bidirectional): such a name is what is asked about
+        row("invisible",
+            "a\xe2\x80\x8b\xef\xbb\xbf"
+            "b",
+            "a--b");
+        row("a line separator",
+            "a\xe2\x80\xa8"
+            "b",
+            "a-b");
+        row("no UTF-8",
+            "a\xff"
+            "b",
+            "a-b");
         row("blanks and dots at the end", "run . . ", "run");
         row("nothing", "", "-");
         row("blanks", "   ", "-");
@@ -56,7 +68,8 @@ private Q_SLOTS:
         QCOMPARE(fileNameOf(proposed), proposed); // nothing is left to replace
         // Such a file can be made, and lies where it should.
         const QTemporaryDir folder;
-        const QString path = QDir(folder.path()).filePath(QString::fromStdString(proposed) + QStringLiteral(".csv"));
+        const QString path =
+            QDir(folder.path()).filePath(QString::fromStdString(proposed) + QStringLiteral(".csv"));
         QFile made(path);
         QVERIFY(made.open(QIODevice::WriteOnly));
         QCOMPARE(QFileInfo(path).canonicalPath(), QFileInfo(folder.path()).canonicalFilePath());

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/layout_csv.h"
-#include "core/exchange/pixels_csv.h"
+#include "core/exchange/labelled_points.h"
 #include "core/exchange/text_file.h"
 #include "tests/support/registered_test.h"
 
@@ -108,7 +107,8 @@ private Q_SLOTS:
         const std::filesystem::path file = write("");
         QVERIFY(writeLayoutCsv(file, layout));
         const std::string text = *readTextFile(file, 10000);
-        QCOMPARE(text, std::string("label,x_mm,y_mm\n'=1+1,0,0\n'+x,0,0\n'-x,0,0\n'@x,0,0\n''=x,0,0\n'''-x,0,0\n'x,0,0\n-1,0,0\n+2.5,0,0\n"
+        QCOMPARE(text, std::string("label,x_mm,y_mm\n'=1+1,0,0\n'+x,0,0\n'-x,0,0\n'@x,0,0\n''=x,0,0\n'''-x,0,"
+                                   "0\n'x,0,0\n-1,0,0\n+2.5,0,0\n"
                                    "\"'=a,\"\"b\"\"\",0,0\n"));
         const auto read = readLayoutCsv(file);
         QVERIFY2(read.has_value(), read ? "" : read.error().message().c_str());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A project that this process has open is named as an input of another kind: it is not opened a second time, or the locks of the first
-// opening would be gone.
+// A project that this process has open is named as an input of another kind: it is not opened a second time,
+// or the locks of the first opening would be gone.
 #include "core/exchange/text_file.h"
 #include "core/project/project.h"
 #include "core/project/recording_rows.h"
@@ -36,8 +36,10 @@ private Q_SLOTS:
     void isRefused()
     {
         QFETCH(std::filesystem::path, file);
-        for (const auto &[what, error] : {std::pair{"a table", errorOf(TextFile::open(file, 1 << 20))}, std::pair{"a video", errorOf(VideoReader::open(file))},
-                                          std::pair{"a picture", errorOf(readPicture(file))}, std::pair{"a recording", errorOf(fileSha256(file, {}))}}) {
+        for (const auto &[what, error] : {std::pair{"a table", errorOf(TextFile::open(file, 1 << 20))},
+                                          std::pair{"a video", errorOf(VideoReader::open(file))},
+                                          std::pair{"a picture", errorOf(readPicture(file))},
+                                          std::pair{"a recording", errorOf(fileSha256(file, {}))}}) {
             QVERIFY2(error.code == ErrorCode::InvalidInput, what);
             QVERIFY2(error.why == "it is a project that is open here", error.message().c_str());
         }
@@ -51,7 +53,11 @@ private Q_SLOTS:
     }
 
 private:
-    template <class Value> static Error errorOf(const Result<Value> &result) { return result ? Error{} : result.error(); }
+    template <class Value>
+    static Error errorOf(const Result<Value> &result)
+    {
+        return result ? Error{} : result.error();
+    }
     std::filesystem::path link() const { return m_file.parent_path() / "link.odo"; }
 
     QTemporaryDir m_folder;

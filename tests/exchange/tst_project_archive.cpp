@@ -88,9 +88,8 @@ private Q_SLOTS:
         QCOMPARE(cancelled.error().code, ErrorCode::Cancelled);
         const auto missing =
             writeArchive(path("p.zip").toStdString(), {{"p.odo", path("no").toStdString()}}, {});
-        QCOMPARE(missing.error().message(),
-                 "pack '" + path("no").toStdString() +
-                     "': there is no such file; check the name and the folder");
+        QCOMPARE(missing.error().message(), "pack '" + path("no").toStdString() +
+                                                "': there is no such file; check the name and the folder");
         QCOMPARE(read("p.zip"), before);
         QCOMPARE(files(), QStringList({QStringLiteral("a"), QStringLiteral("p.zip")}));
         const auto refused = writeArchive("/no/such/folder/p.zip", {{"p.odo", file}}, {});
@@ -165,9 +164,12 @@ private Q_SLOTS:
         QVERIFY(writeArchive(path("p.zip").toStdString(), {{"p.odo", bomb}}, {}));
         const auto refused = unpackArchive(path("p.zip").toStdString(), path("new").toStdString(), {});
         QVERIFY(!refused);
-        QCOMPARE(refused.error().message(), "unpack '" + path("p.zip").toStdString() +
-                     "': it unpacks to more than a hundred times its size; choose a file that Odograph has packed, and copy it anew if it is damaged");
-        QVERIFY(writeArchive(path("q.zip").toStdString(), {{"q.odo", write("a", "project")}, {"q.media/x", bomb}}, {}));
+        QCOMPARE(refused.error().message(),
+                 "unpack '" + path("p.zip").toStdString() +
+                     "': it unpacks to more than a hundred times its size; choose a file that Odograph has "
+                     "packed, and copy it anew if it is damaged");
+        QVERIFY(writeArchive(path("q.zip").toStdString(),
+                             {{"q.odo", write("a", "project")}, {"q.media/x", bomb}}, {}));
         QVERIFY(unpackArchive(path("q.zip").toStdString(), path("other").toStdString(), {}));
         QVERIFY(!QFile::exists(path("new")) && !QFile::exists(path("new.part")));
     }
@@ -183,7 +185,9 @@ private Q_SLOTS:
             const auto refused = unpackArchive(path("bad.zip").toStdString(), path("new").toStdString(), {});
             QVERIFY(!refused);
             QCOMPARE(refused.error().code, ErrorCode::InvalidInput);
-            QCOMPARE(QDir(m_folder->path()).entryList({QStringLiteral("new*")}, QDir::AllEntries | QDir::Hidden), QStringList());
+            QCOMPARE(
+                QDir(m_folder->path()).entryList({QStringLiteral("new*")}, QDir::AllEntries | QDir::Hidden),
+                QStringList());
         }
     }
 

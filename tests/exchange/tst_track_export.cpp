@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/text_file.h"
-#include "core/exchange/track_csv.h"
-#include "core/exchange/track_text.h"
+#include "core/exchange/track_export.h"
 #include "core/exchange/trial_json.h"
 #include "core/files/output_file.h"
 #include "tests/support/c_locales.h"
@@ -117,11 +116,13 @@ private Q_SLOTS:
         QVERIFY(text.starts_with("0 0.25 -1.5 0 0 0 0.707106781186547"));
         QVERIFY(lines[1].startsWith(QStringLiteral("0.033333333 0.25 -1.5 0 0 0 ")));
     }
-    /// As evo's file_interface.read_tum_trajectory_file has it: cells parted by one blank, exactly eight in a line, all of them numbers.
+    /// As evo's file_interface.read_tum_trajectory_file has it: cells parted by one blank, exactly eight in a
+    /// line, all of them numbers.
     void tumAsEvoReadsIt()
     {
         const std::string text = trackTum(sampleTrack());
-        QVERIFY(text.ends_with('\n') && text.find("\n\n") == std::string::npos && text.find('\r') == std::string::npos);
+        QVERIFY(text.ends_with('\n') && text.find("\n\n") == std::string::npos &&
+                text.find('\r') == std::string::npos);
         double before = -1;
         for (const QString &line : QString::fromStdString(text).chopped(1).split(u'\n')) {
             const QStringList cells = line.split(u' ');
@@ -139,8 +140,9 @@ private Q_SLOTS:
             before = cells[0].toDouble();
         }
     }
-    /// By DataTool.parseData of Open Source Physics, with which Tracker reads: the first line with a single entry that is no number is the title, the next
-    /// without a number the columns; a line counts whose entries are all numbers or blank, with as many columns as it has entries.
+    /// By DataTool.parseData of Open Source Physics, with which Tracker reads: the first line with a single
+    /// entry that is no number is the title, the next without a number the columns; a line counts whose
+    /// entries are all numbers or blank, with as many columns as it has entries.
     void trackerAsTrackerReadsIt()
     {
         for (const char *name : {"red one", "42", "#1", "//x", "a;b,c\td", "-1e3"}) {
@@ -150,7 +152,9 @@ private Q_SLOTS:
             QCOMPARE(lines.size(), 5);
             bool isNumber = false;
             lines[0].toDouble(&isNumber);
-            QVERIFY2(!isNumber && !lines[0].contains(u'\t') && !lines[0].startsWith(u'#') && !lines[0].startsWith(QStringLiteral("//")), name);
+            QVERIFY2(!isNumber && !lines[0].contains(u'\t') && !lines[0].startsWith(u'#') &&
+                         !lines[0].startsWith(QStringLiteral("//")),
+                     name);
             QCOMPARE(lines[1], QStringLiteral("t\tx\ty"));
             for (const QString &line : lines.sliced(2)) {
                 const QStringList cells = line.split(u'\t');

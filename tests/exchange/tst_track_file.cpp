@@ -14,7 +14,8 @@
 
 using namespace odo;
 
-/// Finished tracks of other programs: each layout as its program writes it, and what is wrong with a file in one line.
+/// Finished tracks of other programs: each layout as its program writes it, and what is wrong with a file in
+/// one line.
 class TestTrackFile : public QObject
 {
     Q_OBJECT
@@ -43,7 +44,8 @@ class TestTrackFile : public QObject
             xs << (one.position ? QString::number(one.position->x()) : QStringLiteral("-"));
             ys << (one.position ? QString::number(one.position->y()) : QStringLiteral("-"));
         }
-        return QString::fromUtf8(trackFormatWord(file->format).data()) + u'|' + times.join(u' ') + u'|' + xs.join(u' ') + u'|' + ys.join(u' ');
+        return QString::fromUtf8(trackFormatWord(file->format).data()) + u'|' + times.join(u' ') + u'|' +
+               xs.join(u' ') + u'|' + ys.join(u' ');
     }
 
     inline static const QString same = QStringLiteral("|0 100000000 200000000|0 0.5 1|-1 -1.5 -2");
@@ -56,24 +58,48 @@ private Q_SLOTS:
         const auto row = [](const char *name, const char *text, const char *format) {
             QTest::newRow(name) << QByteArray(text) << QString::fromLatin1(format);
         };
-        row("TUM", "# timestamp tx ty tz qx qy qz qw\n0 0 -1 0 0 0 0 1\n0.1 0.5 -1.5 0 0 0 0 1\n\n0.2 1 -2 0 0 0 0 1\n", "tum");
-        row("TUM of another line end and parted by tabs", "0\t0\t-1\t0\t0\t0\t0\t1\r\n0.1\t.5\t-1.5\t0\t0\t0\t0\t1\r\n2e-1\t1\t-2\t0\t0\t0\t0\t1", "tum");
+        row("TUM",
+            "# timestamp tx ty tz qx qy qz qw\n0 0 -1 0 0 0 0 1\n0.1 0.5 -1.5 0 0 0 0 1\n\n0.2 1 -2 0 0 0 0 "
+            "1\n",
+            "tum");
+        row("TUM of another line end and parted by tabs",
+            "0\t0\t-1\t0\t0\t0\t0\t1\r\n0.1\t.5\t-1.5\t0\t0\t0\t0\t1\r\n2e-1\t1\t-2\t0\t0\t0\t0\t1", "tum");
         row("CSV", "t_s,x_mm,y_mm\n0,0,-1000\n0.1,500,-1500\n0.2,1000,-2000\n", "csv");
-        row("64 digits", "t_s,x_mm,y_mm\n0.00000000000000000000000000000000000000000000000000000000000000,0,-1000\n0.1,500,-1500\n0.2,1000,-2000\n", "csv");
-        row("continental", "\xef\xbb\xbft_s;x_mm;y_mm\r\n0;0;-1000\r\n0,1;500,0;-1500\r\n0,2;1000;-2000,000\r\n", "csv");
+        row("64 digits",
+            "t_s,x_mm,y_mm\n0.00000000000000000000000000000000000000000000000000000000000000,0,-1000\n0.1,"
+            "500,-1500\n0.2,1000,-2000\n",
+            "csv");
+        row("continental",
+            "\xef\xbb\xbft_s;x_mm;y_mm\r\n0;0;-1000\r\n0,1;500,0;-1500\r\n0,2;1000;-2000,000\r\n", "csv");
         row("spreadsheet with units", "t [s],x [m],y [m]\n0,0,-1\n0.1,0.5,-1.5\n0.2,1,-2\n", "csv");
         row("other units", "time (ms);x/cm;y [mm]\n0;0;-1000\n100;50;-1500\n200;100;-2000\n", "csv");
-        row("other columns, in another order", "y_mm,note,x_mm,raw_x_mm,timestamp\n-1000,\"a,b\",0,7,0\n-1500,,500,8,0.1\n-2000,,1000,9,0.2\n", "csv");
-        row("all cells quoted", "\"t [s]\",\"x [m]\",\"y [m]\"\n\"0\",\"0\",\"-1\"\n\"0.1\",\"0.5\",\"-1.5\"\n\"0.2\",\"1\",\"-2\"\n", "csv");
+        row("other columns, in another order",
+            "y_mm,note,x_mm,raw_x_mm,timestamp\n-1000,\"a,b\",0,7,0\n-1500,,500,8,0.1\n-2000,,1000,9,0.2\n",
+            "csv");
+        row("all cells quoted",
+            "\"t [s]\",\"x [m]\",\"y "
+            "[m]\"\n\"0\",\"0\",\"-1\"\n\"0.1\",\"0.5\",\"-1.5\"\n\"0.2\",\"1\",\"-2\"\n",
+            "csv");
         row("a spreadsheet's hint", "sep=;\nt_s;x_m;y_m\n0;0;-1\n0,1;0,5;-1,5\n0,2;1;-2\n", "csv");
-        row("Tracker, one track", "\tmass A\t\t\t\nt\tx\ty\t\n0.0\t0.0\t-1.0\t\n1.0E-1\t5.0E-1\t-1.5E0\t\n2.0E-1\t1.0\t-2.0\t\n", "tracker");
-        row("Tracker, older", "mass A\nt\tx\ty\n0.0\t0.0\t-1.0\n1.0E-1\t5.0E-1\t-1.5E0\n2.0E-1\t1.0\t-2.0\n", "tracker");
-        row("Tracker, decimal comma", "\tmass A\t\t\nt\tx\ty\t\n0,0\t0,0\t-1,0\t\n1,0E-1\t5,0E-1\t-1,5\t\n0,2\t1,0\t-2,0\t\n", "tracker");
-        row("Tracker, semicolons", ";mass A;;\nt;x;y;\n0,0;0,0;-1,0;\n0,1;0,5;-1,5;\n0,2;1,0;-2,0;\n", "tracker");
-        row("Tracker, commas", ",mass A,,,\nt,x,y,frame,\n0,0,-1,0,\n0.1,0.5,-1.5,1,\n0.2,1,-2,2,\n", "tracker");
+        row("Tracker, one track",
+            "\tmass A\t\t\t\nt\tx\ty\t\n0.0\t0.0\t-1.0\t\n1.0E-1\t5.0E-1\t-1.5E0\t\n2.0E-1\t1.0\t-2.0\t\n",
+            "tracker");
+        row("Tracker, older", "mass A\nt\tx\ty\n0.0\t0.0\t-1.0\n1.0E-1\t5.0E-1\t-1.5E0\n2.0E-1\t1.0\t-2.0\n",
+            "tracker");
+        row("Tracker, decimal comma",
+            "\tmass A\t\t\nt\tx\ty\t\n0,0\t0,0\t-1,0\t\n1,0E-1\t5,0E-1\t-1,5\t\n0,2\t1,0\t-2,0\t\n",
+            "tracker");
+        row("Tracker, semicolons", ";mass A;;\nt;x;y;\n0,0;0,0;-1,0;\n0,1;0,5;-1,5;\n0,2;1,0;-2,0;\n",
+            "tracker");
+        row("Tracker, commas", ",mass A,,,\nt,x,y,frame,\n0,0,-1,0,\n0.1,0.5,-1.5,1,\n0.2,1,-2,2,\n",
+            "tracker");
         row("Tracker, spaces", "ball\nt x y\n0 0 -1\n0.1  0.5 -1.5\n0.2 1 -2\n", "tracker");
-        row("Tracker, several", "#multi:\n\tA\t\tB\t\t\nt\tx\ty\tx\ty\t\n0\t0\t-1\t5\t5\t\n0.1\t0.5\t-1.5\t6\t6\t\n0.2\t1\t-2\t7\t7\t\n", "tracker");
-        row("Tracker, named pairs", "t\txball (m)\tyball (m)\n0\t0\t-1\n0.1\t0.5\t-1.5\n0.2\t1\t-2\n", "tracker");
+        row("Tracker, several",
+            "#multi:\n\tA\t\tB\t\t\nt\tx\ty\tx\ty\t\n0\t0\t-1\t5\t5\t\n0.1\t0.5\t-1.5\t6\t6\t\n0.2\t1\t-"
+            "2\t7\t7\t\n",
+            "tracker");
+        row("Tracker, named pairs", "t\txball (m)\tyball (m)\n0\t0\t-1\n0.1\t0.5\t-1.5\n0.2\t1\t-2\n",
+            "tracker");
     }
     void layouts()
     {
@@ -84,9 +110,11 @@ private Q_SLOTS:
     /// Tracker leaves a cell blank where the robot was not marked, and ends each line with a delimiter.
     void blanksAreNoValues()
     {
-        const QByteArray text = "#multi:\n\tred one\t\t\t\tB\t\t\t\t\nt\tx\ty\tpixelx\tpixely\tx\ty\tpixelx\tpixely\t\n"
-                                "0.0\t\t\t\t\t5.0\t6.0\t1\t2\t\n0.1\t1.0\t2.0\t3\t4\t\t\t\t\t\n0.2\t1.5\t2.5\t3\t4\t7.0\t8.0\t1\t2\t\n"
-                                "0.3\t2.0\t3.0\t3\t4\t9.0\t9.5\t1\t2\t\n";
+        const QByteArray text =
+            "#multi:\n\tred one\t\t\t\tB\t\t\t\t\nt\tx\ty\tpixelx\tpixely\tx\ty\tpixelx\tpixely\t\n"
+            "0.0\t\t\t\t\t5.0\t6.0\t1\t2\t\n0.1\t1.0\t2.0\t3\t4\t\t\t\t\t\n0.2\t1.5\t2.5\t3\t4\t7.0\t8."
+            "0\t1\t2\t\n"
+            "0.3\t2.0\t3.0\t3\t4\t9.0\t9.5\t1\t2\t\n";
         QCOMPARE(shown(text), QStringLiteral("tracker|0 100000000 200000000 300000000|- 1 1.5 2|- 2 2.5 3"));
         QCOMPARE(shown(text, 1), QStringLiteral("tracker|0 100000000 200000000 300000000|5 - 7 9|6 - 8 9.5"));
         QCOMPARE(read(text)->tracks[0].name, std::string("red one"));
@@ -95,10 +123,14 @@ private Q_SLOTS:
     /// Two seconds of 1970 hold fewer nanoseconds than a double has digits; those of today do not.
     void timesAreExactToTheNanosecond()
     {
-        const auto file = read("1305031102.175304001 0 0 0 0 0 0 1\n1305031102.175304002 0 0 0 0 0 0 1\n1305031102.175304003 0 0 0 0 0 0 1\n");
+        const auto file = read("1305031102.175304001 0 0 0 0 0 0 1\n1305031102.175304002 0 0 0 0 0 0 "
+                               "1\n1305031102.175304003 0 0 0 0 0 0 1\n");
         QVERIFY2(file, file ? "" : file.error().message().c_str());
         QCOMPARE(file->tracks[0].positions[1].time.count(), 1305031102175304002LL);
-        QCOMPARE(read("t_ns,x,y\n1305031102175304001,0,0\n1305031102175304002,0,0\n1305031102175304003,0,0\n")->tracks[0].positions[2].time.count(),
+        QCOMPARE(read("t_ns,x,y\n1305031102175304001,0,0\n1305031102175304002,0,0\n1305031102175304003,0,0\n")
+                     ->tracks[0]
+                     .positions[2]
+                     .time.count(),
                  1305031102175304003LL);
     }
     void statedErrors()
@@ -117,47 +149,75 @@ private Q_SLOTS:
         };
         const QByteArray csv = "t_s,x_mm,y_mm\n0,1,2\n";
         const QByteArray tum = "0 1 2 0 0 0 0 1\n";
-        const char *header = ":1: it has no header with a time, x and y, and is no TUM either; begin the file with the line t_s,x_mm,y_mm, or "
+        const char *header = ":1: it has no header with a time, x and y, and is no TUM either; begin the "
+                             "file with the line t_s,x_mm,y_mm, or "
                              "write lines of timestamp tx ty tz qx qy qz qw";
         const char *order = "; put the lines in the order of time, each time once";
-        row("empty", "", ":1: the file is empty; begin the file with the line t_s,x_mm,y_mm, or write lines of timestamp tx ty tz qx qy qz qw");
-        row("blank lines", "\n\n", ":2: it has no header with a time, x and y, and is no TUM either; begin the file with the line t_s,x_mm,y_mm, or "
-                                   "write lines of timestamp tx ty tz qx qy qz qw");
+        row("empty", "",
+            ":1: the file is empty; begin the file with the line t_s,x_mm,y_mm, or write lines of timestamp "
+            "tx ty tz qx qy qz qw");
+        row("blank lines", "\n\n",
+            ":2: it has no header with a time, x and y, and is no TUM either; begin the file with the line "
+            "t_s,x_mm,y_mm, or "
+            "write lines of timestamp tx ty tz qx qy qz qw");
         row("no header", "0,1,2\n1,2,3\n", header);
         row("another header", "a,b,c\n", header);
-        row("header alone", "t_s,x_mm,y_mm\n", ":1: the track has 0 positions; choose a file with three positions or more");
+        row("header alone", "t_s,x_mm,y_mm\n",
+            ":1: the track has 0 positions; choose a file with three positions or more");
         row("one sample", csv, ":2: the track has 1 position; choose a file with three positions or more");
         row("two of a track", "\tA\t\tB\t\nt\tx\ty\tx\ty\t\n0\t1\t1\t1\t1\t\n1\t1\t1\t\t\t\n2\t1\t1\t\t\t\n",
             ":5: track 'B' has 1 position; choose a file with three positions or more");
         row("9 entries", tum + "1 2 3 0 0 0 0 1 9\n",
-            ":2: it has 9 entries instead of the 8 of TUM; write timestamp tx ty tz qx qy qz qw, or begin the file with the line t_s,x_mm,y_mm");
-        row("UTF-16", QByteArray("\xff\xfet\0_\0s\0", 8), "': it is written in UTF-16; save it again as \"CSV UTF-8\" or as a UTF-8 text");
-        row("NaN in TUM", tum + "1 nan 2 0 0 0 0 1\n", ":2: 'nan' is not a finite number; write it with digits, like 12.5, or leave the place blank");
-        row("NaN in CSV", csv + "1,NaN,2\n", ":3: 'NaN' is not a finite number; write it with digits, like 12.5, or leave the place blank");
-        row("too large for a number", csv + "1,1e999,2\n", ":3: '1e999' is not a finite number; write it with digits, like 12.5, or leave the place blank");
-        const QByteArray letters = "nan" + QByteArray(61, '_'); // as many as a number may have; what follows them is not looked at
-        row("a time of 64 letters", csv + letters + ",1,2\n", (":3: '" + letters.left(40).toStdString() + "' is not a time; write it with digits, like 12.5").c_str());
+            ":2: it has 9 entries instead of the 8 of TUM; write timestamp tx ty tz qx qy qz qw, or begin "
+            "the file with the line t_s,x_mm,y_mm");
+        row("UTF-16", QByteArray("\xff\xfet\0_\0s\0", 8),
+            "': it is written in UTF-16; save it again as \"CSV UTF-8\" or as a UTF-8 text");
+        row("NaN in TUM", tum + "1 nan 2 0 0 0 0 1\n",
+            ":2: 'nan' is not a finite number; write it with digits, like 12.5, or leave the place blank");
+        row("NaN in CSV", csv + "1,NaN,2\n",
+            ":3: 'NaN' is not a finite number; write it with digits, like 12.5, or leave the place blank");
+        row("too large for a number", csv + "1,1e999,2\n",
+            ":3: '1e999' is not a finite number; write it with digits, like 12.5, or leave the place blank");
+        // as many as a number may have; what follows them is not looked at
+        const QByteArray letters = "nan" + QByteArray(61, '_');
+        row("a time of 64 letters", csv + letters + ",1,2\n",
+            (":3: '" + letters.left(40).toStdString() + "' is not a time; write it with digits, like 12.5")
+                .c_str());
         row("no time", csv + ",1,2\n", ":3: '' is not a time; write it with digits, like 12.5");
-        row("a time of no age", tum + "1e300 1 2 0 0 0 0 1\n", ":2: '1e300' is not a time in seconds; write it with digits, like 12.5");
-        row("times with more between them than is counted", "t,x,y\n-9e9,0,0\n9e9,1,1\n", ":2: '-9e9' is not a time; write it with digits, like 12.5");
+        row("a time of no age", tum + "1e300 1 2 0 0 0 0 1\n",
+            ":2: '1e300' is not a time in seconds; write it with digits, like 12.5");
+        row("times with more between them than is counted", "t,x,y\n-9e9,0,0\n9e9,1,1\n",
+            ":2: '-9e9' is not a time; write it with digits, like 12.5");
         QByteArray many = "t";
         for (int track = 0; track < 1000; ++track)
             many += ",x,y";
         for (int line = 0; line <= 4000; ++line)
             many += '\n' + QByteArray::number(line) + QByteArray(2000, ',');
-        row("blank places without end", many, ":1502: the file has more than 1.5 million places; check that all lines are of one run");
+        row("blank places without end", many,
+            ":1502: the file has more than 1.5 million places; check that all lines are of one run");
         row("half a place", csv + "1,,2\n", ":3: one of its two places is blank; fill in both or none");
-        row("backwards", csv + "2,1,2\n1,1,2\n", (std::string(":4: its time is before that of the line before") + order).c_str());
-        row("twice", csv + "1,1,2\n1,1,2\n", (std::string(":4: its time is that of the line before") + order).c_str());
-        row("the same to the nanosecond", csv + "1.0000000001,1,2\n1.0000000002,1,2\n", (std::string(":4: its time is that of the line before") + order).c_str());
-        row("mixed columns", csv + "1,1,2,3\n", ":3: it has 4 cells where the header has 3; give each line as many cells as the header");
-        row("cut off", csv + "1,1\n", ":3: it has 2 cells where the header has 3; give each line as many cells as the header");
-        row("decimal commas among commas", csv + "1,5,1,0,2,0\n", ":3: it has 6 cells where the header has 3; give each line as many cells as the header");
-        row("far away", tum + "1 1e9 2 0 0 0 0 1\n", ":2: its place is more than 100 km away; check the unit of the places: m, cm or mm");
+        row("backwards", csv + "2,1,2\n1,1,2\n",
+            (std::string(":4: its time is before that of the line before") + order).c_str());
+        row("twice", csv + "1,1,2\n1,1,2\n",
+            (std::string(":4: its time is that of the line before") + order).c_str());
+        row("the same to the nanosecond", csv + "1.0000000001,1,2\n1.0000000002,1,2\n",
+            (std::string(":4: its time is that of the line before") + order).c_str());
+        row("mixed columns", csv + "1,1,2,3\n",
+            ":3: it has 4 cells where the header has 3; give each line as many cells as the header");
+        row("cut off", csv + "1,1\n",
+            ":3: it has 2 cells where the header has 3; give each line as many cells as the header");
+        row("decimal commas among commas", csv + "1,5,1,0,2,0\n",
+            ":3: it has 6 cells where the header has 3; give each line as many cells as the header");
+        row("far away", tum + "1 1e9 2 0 0 0 0 1\n",
+            ":2: its place is more than 100 km away; check the unit of the places: m, cm or mm");
         row("over a week", csv + "604801,1,2\n",
-            ":3: it is more than a week after the first line; check the unit of the times, and that all lines are of one run");
-        row("unknown unit", "t [s],x [ft],y [ft]\n", ":1: its column 'x [ft]' is in a unit that is not known; give times in s or ms and places in m, cm or mm");
-        row("a word", csv + "1,=1+1,2\n", ":3: '=1+1' is not a finite number; write it with digits, like 12.5, or leave the place blank");
+            ":3: it is more than a week after the first line; check the unit of the times, and that all "
+            "lines are of one run");
+        row("unknown unit", "t [s],x [ft],y [ft]\n",
+            ":1: its column 'x [ft]' is in a unit that is not known; give times in s or ms and places in m, "
+            "cm or mm");
+        row("a word", csv + "1,=1+1,2\n",
+            ":3: '=1+1' is not a finite number; write it with digits, like 12.5, or leave the place blank");
     }
     void mistakes()
     {
@@ -191,28 +251,37 @@ private Q_SLOTS:
     {
         const QByteArray table = "t_s,x_mm,y_mm\n0,0,-1000\n0.1,500,-1500\n0.2,1000,-2000\n";
         for (qsizetype before = (1 << 16) - 4; before <= 1 << 16; ++before)
-            QCOMPARE(shown('#' + QByteArray(before - 1, 'x') + "\u4e2d\n" + table), QStringLiteral("csv") + same);
-        QCOMPARE(shown(table + "\xe4\xb8"), QStringLiteral("': it is not a UTF-8 text file; save it again as UTF-8 text"));
+            QCOMPARE(shown('#' + QByteArray(before - 1, 'x') + "\u4e2d\n" + table),
+                     QStringLiteral("csv") + same);
+        QCOMPARE(shown(table + "\xe4\xb8"),
+                 QStringLiteral("': it is not a UTF-8 text file; save it again as UTF-8 text"));
     }
     /// No file takes more memory than the positions in it, and those are bounded.
     void tooLong()
     {
-        QCOMPARE(shown("t_s,x_mm,y_mm\n" + QByteArray(9 << 20, '1')), QStringLiteral(":2: it is longer than 8 MiB; check that it is the right file"));
+        QCOMPARE(shown("t_s,x_mm,y_mm\n" + QByteArray(9 << 20, '1')),
+                 QStringLiteral(":2: it is longer than 8 MiB; check that it is the right file"));
         QByteArray text = "t_s,x_mm,y_mm\n";
         for (int i = 0; i <= 1'500'000; ++i)
             text += QByteArray::number(i) + "e-3,1,2\n";
-        QCOMPARE(shown(text), QStringLiteral(":1500002: the file has more than 1.5 million places; check that all lines are of one run"));
+        QCOMPARE(
+            shown(text),
+            QStringLiteral(
+                ":1500002: the file has more than 1.5 million places; check that all lines are of one run"));
     }
     /// Of a line, of a header, and of a whole table of which three are meant.
     void aMillionColumns()
     {
         constexpr qsizetype million = 1'000'000;
         QCOMPARE(shown("t_s,x_mm,y_mm\n0,1,2\n1" + QByteArray(",1").repeated(million) + '\n'),
-                 QStringLiteral(":3: it has 1000001 cells where the header has 3; give each line as many cells as the header"));
-        QVERIFY(shown(QByteArray("a,").repeated(million) + '\n').startsWith(QStringLiteral(":1: it has no header with a time, x and y")));
+                 QStringLiteral(":3: it has 1000001 cells where the header has 3; give each line as many "
+                                "cells as the header"));
+        QVERIFY(shown(QByteArray("a,").repeated(million) + '\n')
+                    .startsWith(QStringLiteral(":1: it has no header with a time, x and y")));
         const std::clock_t begin = std::clock();
         const QByteArray wide = ",\"n\"" + QByteArray(",0").repeated(million);
-        QCOMPARE(shown("t_s,x_m,y_m" + QByteArray(",n").repeated(million + 1) + "\n0,0,-1" + wide + "\n0.1,0.5,-1.5" + wide + "\n0.2,1,-2" + wide + '\n'),
+        QCOMPARE(shown("t_s,x_m,y_m" + QByteArray(",n").repeated(million + 1) + "\n0,0,-1" + wide +
+                       "\n0.1,0.5,-1.5" + wide + "\n0.2,1,-2" + wide + '\n'),
                  QStringLiteral("csv") + same);
         const double tookS = double(std::clock() - begin) / CLOCKS_PER_SEC;
         QVERIFY2(tookS < test::slowness, qPrintable(QString::number(tookS)));
@@ -223,7 +292,8 @@ private Q_SLOTS:
         test::CLocales locales;
         for (const char *name : {"de_DE", "fr_FR", "tr_TR"}) {
             QVERIFY2(locales.use(name), name);
-            QCOMPARE(shown("T [S];X [M];Y [M]\n0;0;-1\n0,1;0,5;-1,5\n0.2;1;-2\n"), QStringLiteral("csv") + same);
+            QCOMPARE(shown("T [S];X [M];Y [M]\n0;0;-1\n0,1;0,5;-1,5\n0.2;1;-2\n"),
+                     QStringLiteral("csv") + same);
         }
         QLocale::setDefault(QLocale::c());
     }

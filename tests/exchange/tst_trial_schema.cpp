@@ -32,21 +32,26 @@ class TestTrialSchema : public QObject
             if (i < 2)
                 sample.position = Eigen::Vector2d(i, -1);
             profile.samples.push_back(sample);
-            profile.points.push_back({{0.25, -1.5}, {0, 2}, {0.5, 0}, 0.001, 0.002, 2, 0.0625, 0.5, 0.25, i < 2});
+            profile.points.push_back(
+                {{0.25, -1.5}, {0, 2}, {0.5, 0}, 0.001, 0.002, 2, 0.0625, 0.5, 0.25, i < 2});
         }
         profile.points[1].accelMps2 = std::numeric_limits<double>::infinity();
         profile.metrics = {{"max_speed", "m/s", 2, 0.0625}, {"duration", "s", 0.5, std::nullopt}};
         profile.spikes = {{0, Nanoseconds(0), flagBit(SampleFlag::Jump), "jump of 8 mm"}};
-        for (const GateRole role : {GateRole::Start, GateRole::Finish, GateRole::StartFinish, GateRole::Split})
+        for (const GateRole role :
+             {GateRole::Start, GateRole::Finish, GateRole::StartFinish, GateRole::Split})
             profile.passages.push_back({"gate", role, Nanoseconds(1), 0.001, 0});
         return analysis;
     }
-    static QJsonObject written(const std::vector<AnalysisRecord> &analyses, const std::vector<ImportedTrack> &imported)
+    static QJsonObject written(const std::vector<AnalysisRecord> &analyses,
+                               const std::vector<ImportedTrack> &imported)
     {
         RecordingRecord recording;
         recording.cameraName = "A";
         recording.frameTimes.resize(3);
-        return QJsonDocument::fromJson(QByteArray::fromStdString(trialJson({}, {recording}, analyses, imported))).object();
+        return QJsonDocument::fromJson(
+                   QByteArray::fromStdString(trialJson({}, {recording}, analyses, imported)))
+            .object();
     }
 
 private Q_SLOTS:
@@ -60,7 +65,9 @@ private Q_SLOTS:
         source.format = "tum";
         const QJsonObject imported = written({everyKindOfThing()}, {source});
         QCOMPARE(m_schema.problemsOf(imported), QStringList());
-        QCOMPARE(imported[QStringLiteral("robots")][0][QStringLiteral("analysis")][QStringLiteral("imported")][QStringLiteral("format")].toString(),
+        QCOMPARE(imported[QStringLiteral("robots")][0][QStringLiteral("analysis")][QStringLiteral("imported")]
+                         [QStringLiteral("format")]
+                             .toString(),
                  QStringLiteral("tum"));
     }
     /// The test itself can fail.
@@ -75,8 +82,10 @@ private Q_SLOTS:
         document.insert(QStringLiteral("robots"), QJsonArray{robot});
         QStringList problems = m_schema.problemsOf(document);
         problems.sort();
-        QCOMPARE(problems, (QStringList{QStringLiteral("/more: is not told"), QStringLiteral("/robots/0/name: is of another type"),
-                                        QStringLiteral("/version: is none of those"), QStringLiteral("/views: is missing")}));
+        QCOMPARE(problems, (QStringList{QStringLiteral("/more: is not told"),
+                                        QStringLiteral("/robots/0/name: is of another type"),
+                                        QStringLiteral("/version: is none of those"),
+                                        QStringLiteral("/views: is missing")}));
     }
 };
 

@@ -29,7 +29,8 @@ bool counts(Kind kind)
 {
     switch (calls->error) {
     case ENOSPC:
-        return kind == Kind::Make || kind == Kind::Write || kind == Kind::Sync || kind == Kind::Name || kind == Kind::Size;
+        return kind == Kind::Make || kind == Kind::Write || kind == Kind::Sync || kind == Kind::Name ||
+               kind == Kind::Size;
     case EROFS:
         return kind == Kind::Make || kind == Kind::OpenToWrite || kind == Kind::Write || kind == Kind::Name ||
                kind == Kind::Remove || kind == Kind::Size;
@@ -127,7 +128,9 @@ Kind kindOf(int flags, int folder, const char *name)
     if ((flags & O_TMPFILE) == O_TMPFILE)
         return Kind::Make;
     if ((flags & O_CREAT) != 0) {
-        struct stat there{};
+        struct stat there
+        {
+        };
         if (syscall(SYS_newfstatat, folder, name, &there, 0) != 0)
             return Kind::Make;
     }
@@ -181,7 +184,8 @@ __attribute__((constructor)) void mapCalls()
     if (file == nullptr)
         return;
     const long descriptor = syscall(SYS_openat, AT_FDCWD, file, O_RDWR | O_CLOEXEC, 0);
-    const long memory = syscall(SYS_mmap, nullptr, sizeof(FailingCalls), PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
+    const long memory =
+        syscall(SYS_mmap, nullptr, sizeof(FailingCalls), PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
     if (descriptor >= 0 && memory != -1)
         calls = reinterpret_cast<FailingCalls *>(memory);
     syscall(SYS_close, descriptor);
@@ -196,57 +200,86 @@ mode_t modeOf(int flags, va_list arguments)
 
 extern "C" {
 
-void odographSetFailingCalls(FailingCalls *set) { calls = set; }
+void odographSetFailingCalls(FailingCalls *set)
+{
+    calls = set;
+}
 
-#define ODOGRAPH_OPEN(name)                                                                                                     \
-    int name(const char *path, int flags, ...)                                                                                 \
-    {                                                                                                                          \
-        va_list arguments;                                                                                                     \
-        va_start(arguments, flags);                                                                                            \
-        const mode_t mode = modeOf(flags, arguments);                                                                          \
-        va_end(arguments);                                                                                                     \
-        return openFile(#name, AT_FDCWD, path, flags, mode);                                                                   \
+#define ODOGRAPH_OPEN(name)                                                                                  \
+    int name(const char *path, int flags, ...)                                                               \
+    {                                                                                                        \
+        va_list arguments;                                                                                   \
+        va_start(arguments, flags);                                                                          \
+        const mode_t mode = modeOf(flags, arguments);                                                        \
+        va_end(arguments);                                                                                   \
+        return openFile(#name, AT_FDCWD, path, flags, mode);                                                 \
     }
-#define ODOGRAPH_OPENAT(name)                                                                                                   \
-    int name(int folder, const char *path, int flags, ...)                                                                     \
-    {                                                                                                                          \
-        va_list arguments;                                                                                                     \
-        va_start(arguments, flags);                                                                                            \
-        const mode_t mode = modeOf(flags, arguments);                                                                          \
-        va_end(arguments);                                                                                                     \
-        return openFile(#name, folder, path, flags, mode);                                                                     \
+#define ODOGRAPH_OPENAT(name)                                                                                \
+    int name(int folder, const char *path, int flags, ...)                                                   \
+    {                                                                                                        \
+        va_list arguments;                                                                                   \
+        va_start(arguments, flags);                                                                          \
+        const mode_t mode = modeOf(flags, arguments);                                                        \
+        va_end(arguments);                                                                                   \
+        return openFile(#name, folder, path, flags, mode);                                                   \
     }
 ODOGRAPH_OPEN(open)
 ODOGRAPH_OPEN(open64)
 ODOGRAPH_OPENAT(openat)
 ODOGRAPH_OPENAT(openat64)
-int __open_2(const char *path, int flags) { return openFile("open", AT_FDCWD, path, flags, 0); }
-int __open64_2(const char *path, int flags) { return openFile("open", AT_FDCWD, path, flags, 0); }
-int __openat_2(int folder, const char *path, int flags) { return openFile("openat", folder, path, flags, 0); }
-int __openat64_2(int folder, const char *path, int flags) { return openFile("openat", folder, path, flags, 0); }
-int creat(const char *path, mode_t mode) { return openFile("creat", AT_FDCWD, path, O_CREAT | O_WRONLY | O_TRUNC, mode); }
-int creat64(const char *path, mode_t mode) { return openFile("creat", AT_FDCWD, path, O_CREAT | O_WRONLY | O_TRUNC, mode); }
+int __open_2(const char *path, int flags)
+{
+    return openFile("open", AT_FDCWD, path, flags, 0);
+}
+int __open64_2(const char *path, int flags)
+{
+    return openFile("open", AT_FDCWD, path, flags, 0);
+}
+int __openat_2(int folder, const char *path, int flags)
+{
+    return openFile("openat", folder, path, flags, 0);
+}
+int __openat64_2(int folder, const char *path, int flags)
+{
+    return openFile("openat", folder, path, flags, 0);
+}
+int creat(const char *path, mode_t mode)
+{
+    return openFile("creat", AT_FDCWD, path, O_CREAT | O_WRONLY | O_TRUNC, mode);
+}
+int creat64(const char *path, mode_t mode)
+{
+    return openFile("creat", AT_FDCWD, path, O_CREAT | O_WRONLY | O_TRUNC, mode);
+}
 
 FILE *fopen(const char *path, const char *mode)
 {
     static const auto real = next<FILE *(*)(const char *, const char *)>("fopen");
-    const int flags = mode[0] == 'r' ? (std::strchr(mode, '+') != nullptr ? O_RDWR : O_RDONLY) : O_CREAT | O_WRONLY;
+    const int flags =
+        mode[0] == 'r' ? (std::strchr(mode, '+') != nullptr ? O_RDWR : O_RDONLY) : O_CREAT | O_WRONLY;
     if (calls != nullptr && fateOf(kindOf(flags, AT_FDCWD, path), "fopen", AT_FDCWD, path) == Fate::Fails)
         return nullptr;
     return real(path, mode);
 }
-FILE *fopen64(const char *path, const char *mode) { return fopen(path, mode); }
+FILE *fopen64(const char *path, const char *mode)
+{
+    return fopen(path, mode);
+}
 
 ssize_t write(int descriptor, const void *data, size_t bytes)
 {
-    return writeSome("write", descriptor, bytes, [&](size_t some) { return syscall(SYS_write, descriptor, data, some); });
+    return writeSome("write", descriptor, bytes,
+                     [&](size_t some) { return syscall(SYS_write, descriptor, data, some); });
 }
 ssize_t pwrite64(int descriptor, const void *data, size_t bytes, off64_t at)
 {
     return writeSome("pwrite", descriptor, bytes,
                      [&](size_t some) { return syscall(SYS_pwrite64, descriptor, data, some, at); });
 }
-ssize_t pwrite(int descriptor, const void *data, size_t bytes, off_t at) { return pwrite64(descriptor, data, bytes, at); }
+ssize_t pwrite(int descriptor, const void *data, size_t bytes, off_t at)
+{
+    return pwrite64(descriptor, data, bytes, at);
+}
 ssize_t writev(int descriptor, const iovec *parts, int count)
 {
     // Half of it is the first half of its parts.
@@ -266,8 +299,14 @@ ssize_t pread64(int descriptor, void *data, size_t bytes, off64_t at)
         return -1;
     return syscall(SYS_pread64, descriptor, data, bytes, at);
 }
-ssize_t pread(int descriptor, void *data, size_t bytes, off_t at) { return pread64(descriptor, data, bytes, at); }
-ssize_t __read_chk(int descriptor, void *data, size_t bytes, size_t) { return read(descriptor, data, bytes); }
+ssize_t pread(int descriptor, void *data, size_t bytes, off_t at)
+{
+    return pread64(descriptor, data, bytes, at);
+}
+ssize_t __read_chk(int descriptor, void *data, size_t bytes, size_t)
+{
+    return read(descriptor, data, bytes);
+}
 ssize_t __pread64_chk(int descriptor, void *data, size_t bytes, off64_t at, size_t)
 {
     return pread64(descriptor, data, bytes, at);
@@ -279,26 +318,40 @@ ssize_t __pread_chk(int descriptor, void *data, size_t bytes, off_t at, size_t)
 
 int fsync(int descriptor)
 {
-    return unlessItFails(fateOf(Kind::Sync, "fsync", descriptor), [&] { return syscall(SYS_fsync, descriptor); });
+    return unlessItFails(fateOf(Kind::Sync, "fsync", descriptor),
+                         [&] { return syscall(SYS_fsync, descriptor); });
 }
 int fdatasync(int descriptor)
 {
-    return unlessItFails(fateOf(Kind::Sync, "fdatasync", descriptor), [&] { return syscall(SYS_fdatasync, descriptor); });
+    return unlessItFails(fateOf(Kind::Sync, "fdatasync", descriptor),
+                         [&] { return syscall(SYS_fdatasync, descriptor); });
 }
 int ftruncate64(int descriptor, off64_t bytes)
 {
     return unlessItFails(fateOf(Kind::Size, "ftruncate", descriptor),
                          [&] { return syscall(SYS_ftruncate, descriptor, bytes); });
 }
-int ftruncate(int descriptor, off_t bytes) { return ftruncate64(descriptor, bytes); }
+int ftruncate(int descriptor, off_t bytes)
+{
+    return ftruncate64(descriptor, bytes);
+}
 int fallocate64(int descriptor, int mode, off64_t at, off64_t bytes)
 {
     return unlessItFails(fateOf(Kind::Size, "fallocate", descriptor),
                          [&] { return syscall(SYS_fallocate, descriptor, mode, at, bytes); });
 }
-int fallocate(int descriptor, int mode, off_t at, off_t bytes) { return fallocate64(descriptor, mode, at, bytes); }
-int posix_fallocate64(int descriptor, off64_t at, off64_t bytes) { return fallocate64(descriptor, 0, at, bytes) == 0 ? 0 : errno; }
-int posix_fallocate(int descriptor, off_t at, off_t bytes) { return posix_fallocate64(descriptor, at, bytes); }
+int fallocate(int descriptor, int mode, off_t at, off_t bytes)
+{
+    return fallocate64(descriptor, mode, at, bytes);
+}
+int posix_fallocate64(int descriptor, off64_t at, off64_t bytes)
+{
+    return fallocate64(descriptor, 0, at, bytes) == 0 ? 0 : errno;
+}
+int posix_fallocate(int descriptor, off_t at, off_t bytes)
+{
+    return posix_fallocate64(descriptor, at, bytes);
+}
 
 int renameat2(int fromFolder, const char *from, int toFolder, const char *to, unsigned flags)
 {
@@ -309,20 +362,32 @@ int renameat(int fromFolder, const char *from, int toFolder, const char *to)
 {
     return renameat2(fromFolder, from, toFolder, to, 0);
 }
-int rename(const char *from, const char *to) { return renameat2(AT_FDCWD, from, AT_FDCWD, to, 0); }
+int rename(const char *from, const char *to)
+{
+    return renameat2(AT_FDCWD, from, AT_FDCWD, to, 0);
+}
 int linkat(int fromFolder, const char *from, int toFolder, const char *to, int flags)
 {
     return unlessItFails(fateOf(Kind::Name, "link", toFolder, to),
                          [&] { return syscall(SYS_linkat, fromFolder, from, toFolder, to, flags); });
 }
-int link(const char *from, const char *to) { return linkat(AT_FDCWD, from, AT_FDCWD, to, 0); }
+int link(const char *from, const char *to)
+{
+    return linkat(AT_FDCWD, from, AT_FDCWD, to, 0);
+}
 int unlinkat(int folder, const char *path, int flags)
 {
     return unlessItFails(fateOf(Kind::Remove, "unlink", folder, path),
                          [&] { return syscall(SYS_unlinkat, folder, path, flags); });
 }
-int unlink(const char *path) { return unlinkat(AT_FDCWD, path, 0); }
-int rmdir(const char *path) { return unlinkat(AT_FDCWD, path, AT_REMOVEDIR); }
+int unlink(const char *path)
+{
+    return unlinkat(AT_FDCWD, path, 0);
+}
+int rmdir(const char *path)
+{
+    return unlinkat(AT_FDCWD, path, AT_REMOVEDIR);
+}
 int remove(const char *path)
 {
     const int removed = unlinkat(AT_FDCWD, path, 0);
@@ -330,12 +395,18 @@ int remove(const char *path)
 }
 int mkdirat(int folder, const char *path, mode_t mode)
 {
-    struct stat there{};
+    struct stat there
+    {
+    };
     if (calls == nullptr || syscall(SYS_newfstatat, folder, path, &there, 0) == 0)
         return static_cast<int>(syscall(SYS_mkdirat, folder, path, mode));
-    return unlessItFails(fateOf(Kind::Make, "mkdir", folder, path), [&] { return syscall(SYS_mkdirat, folder, path, mode); });
+    return unlessItFails(fateOf(Kind::Make, "mkdir", folder, path),
+                         [&] { return syscall(SYS_mkdirat, folder, path, mode); });
 }
-int mkdir(const char *path, mode_t mode) { return mkdirat(AT_FDCWD, path, mode); }
+int mkdir(const char *path, mode_t mode)
+{
+    return mkdirat(AT_FDCWD, path, mode);
+}
 
 void *mmap64(void *address, size_t bytes, int protection, int flags, int descriptor, off64_t at)
 {

@@ -5,11 +5,11 @@
 
 namespace odo::test {
 
-/// What the library failing_calls is told and what it tells, in memory that a test shares with the process it tests.
-/// Of the calls on files below a folder the nth one fails, of all threads together. Which calls count depends on the error:
-/// a full disk (ENOSPC) refuses to write, make, name, enlarge and sync; a folder that has become read-only (EROFS) refuses
-/// all that changes it; a failing disk (EIO) refuses anything, reading too where `reads` says so. A process is killed at
-/// calls that change something.
+/// What the library failing_calls is told and what it tells, in memory that a test shares with the process it
+/// tests. Of the calls on files below a folder the nth one fails, of all threads together. Which calls count
+/// depends on the error: a full disk (ENOSPC) refuses to write, make, name, enlarge and sync; a folder that
+/// has become read-only (EROFS) refuses all that changes it; a failing disk (EIO) refuses anything, reading
+/// too where `reads` says so. A process is killed at calls that change something.
 struct FailingCalls
 {
     enum class How : int {

@@ -46,7 +46,8 @@ FolderContent contentOf(const std::filesystem::path &folder)
     FolderContent content;
     for (const std::filesystem::path &file : files) {
         const QString name = QString::fromStdString(file.lexically_relative(folder).string());
-        const bool isSideFile = name.endsWith(QStringLiteral("-wal")) || name.endsWith(QStringLiteral("-shm")) ||
+        const bool isSideFile = name.endsWith(QStringLiteral("-wal")) ||
+                                name.endsWith(QStringLiteral("-shm")) ||
                                 name.endsWith(QStringLiteral("-journal")); // goes when its database is read
         if (!isSideFile && !name.endsWith(QStringLiteral(".lock")))
             content.insert(name, contentOfFile(file));
@@ -56,8 +57,8 @@ FolderContent contentOf(const std::filesystem::path &folder)
 
 bool isInTheMaking(const QString &name)
 {
-    static const QRegularExpression making(
-        QStringLiteral("(^|/)\\.odograph-[a-z2-7]{12}\\.part(/|$)|(^|/)\\.new-[a-z0-9]{6}\\.part$|-wal$|-shm$|-journal$"));
+    static const QRegularExpression making(QStringLiteral(
+        "(^|/)\\.odograph-[a-z2-7]{12}\\.part(/|$)|(^|/)\\.new-[a-z0-9]{6}\\.part$|-wal$|-shm$|-journal$"));
     return making.match(name).hasMatch();
 }
 

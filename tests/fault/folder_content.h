@@ -7,8 +7,9 @@
 
 namespace odo::test {
 
-/// What is in a folder, each file by its name from there: of databases their rows, of archives the files in them, of others
-/// their bytes' hash. One that cannot be read has "damaged". Locks do not count: they mean nothing once nobody holds them.
+/// What is in a folder, each file by its name from there: of databases their rows, of archives the files in
+/// them, of others their bytes' hash. One that cannot be read has "damaged". Locks do not count: they mean
+/// nothing once nobody holds them.
 using FolderContent = QMap<QString, QStringList>;
 FolderContent contentOf(const std::filesystem::path &folder);
 

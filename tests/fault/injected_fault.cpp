@@ -51,7 +51,8 @@ public:
     {
         m_file.open();
         m_file.resize(sizeof(Content));
-        void *memory = ::mmap(nullptr, sizeof(Content), PROT_READ | PROT_WRITE, MAP_SHARED, m_file.handle(), 0);
+        void *memory =
+            ::mmap(nullptr, sizeof(Content), PROT_READ | PROT_WRITE, MAP_SHARED, m_file.handle(), 0);
         if (memory == MAP_FAILED)
             qFatal("no shared memory: %s", std::strerror(errno));
         m_content = new (memory) Content;
@@ -107,7 +108,7 @@ QString Fault::words() const
 const std::vector<Fault> &allFaults()
 {
     static const std::vector<Fault> faults = {
-        {EIO, How::Once, true},          {EIO, How::FromThenOn, false}, {ENOSPC, How::Once, false},
+        {EIO, How::Once, true},           {EIO, How::FromThenOn, false},   {ENOSPC, How::Once, false},
         {ENOSPC, How::FromThenOn, false}, {EROFS, How::FromThenOn, false}, {0, How::Killed, false},
         {0, How::KilledHalfway, false},
     };
@@ -124,7 +125,8 @@ std::vector<Fault> kills()
 std::vector<Fault> failures()
 {
     std::vector<Fault> some;
-    std::ranges::copy_if(allFaults(), std::back_inserter(some), [](const Fault &fault) { return !fault.kills(); });
+    std::ranges::copy_if(allFaults(), std::back_inserter(some),
+                         [](const Fault &fault) { return !fault.kills(); });
     return some;
 }
 
@@ -190,8 +192,8 @@ AttemptedProgram::AttemptedProgram(const std::filesystem::path &folder, const Fa
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert(QStringLiteral("LD_PRELOAD"), qEnvironmentVariable("ODOGRAPH_FAILING_CALLS_LIBRARY"));
     environment.insert(QString::fromLatin1(failingCallsVariable), m_impl->calls.file());
-    environment.insert(QStringLiteral("ASAN_OPTIONS"),
-                       environment.value(QStringLiteral("ASAN_OPTIONS")) + QStringLiteral(":verify_asan_link_order=0"));
+    environment.insert(QStringLiteral("ASAN_OPTIONS"), environment.value(QStringLiteral("ASAN_OPTIONS")) +
+                                                           QStringLiteral(":verify_asan_link_order=0"));
     m_impl->process.setProcessEnvironment(environment);
     m_impl->process.start(qEnvironmentVariable("ODOGRAPH_PROGRAM"), arguments);
 }
@@ -201,7 +203,8 @@ AttemptedProgram::~AttemptedProgram() = default;
 Attempt AttemptedProgram::finish(ProgramRun *run)
 {
     QProcess &process = m_impl->process;
-    const bool hangs = !process.waitForFinished(longestWorkS * 1000) && process.state() != QProcess::NotRunning;
+    const bool hangs =
+        !process.waitForFinished(longestWorkS * 1000) && process.state() != QProcess::NotRunning;
     if (hangs) {
         process.kill();
         process.waitForFinished();
@@ -216,28 +219,34 @@ Attempt AttemptedProgram::finish(ProgramRun *run)
     return attempt;
 }
 
-Attempt attemptProgram(const std::filesystem::path &folder, const Fault &fault, int nth, const QStringList &arguments,
-                       ProgramRun *run)
+Attempt attemptProgram(const std::filesystem::path &folder, const Fault &fault, int nth,
+                       const QStringList &arguments, ProgramRun *run)
 {
     return AttemptedProgram(folder, fault, nth, arguments).finish(run);
 }
 
-bool isWholeSweep() { return qEnvironmentVariableIsSet("ODOGRAPH_ALL_FAULTS"); }
+bool isWholeSweep()
+{
+    return qEnvironmentVariableIsSet("ODOGRAPH_ALL_FAULTS");
+}
 
 std::vector<int> spreadCalls(int calls, int count)
 {
-    static std::mt19937 random(qEnvironmentVariableIsSet("ODOGRAPH_SEED") ? qEnvironmentVariableIntValue("ODOGRAPH_SEED") : 1);
+    static std::mt19937 random(
+        qEnvironmentVariableIsSet("ODOGRAPH_SEED") ? qEnvironmentVariableIntValue("ODOGRAPH_SEED") : 1);
     std::set<int> chosen;
     const int parts = std::min(calls, count);
     for (int part = 0; part < parts; ++part)
-        chosen.insert(std::uniform_int_distribution(calls * part / parts + 1, calls * (part + 1) / parts)(random));
+        chosen.insert(
+            std::uniform_int_distribution(calls * part / parts + 1, calls * (part + 1) / parts)(random));
     return {chosen.begin(), chosen.end()};
 }
 
 QString quickFolder()
 {
     const QFileInfo memory(QStringLiteral("/dev/shm"));
-    return (memory.isDir() && memory.isWritable() ? memory.filePath() : QDir::tempPath()) + QStringLiteral("/fault-XXXXXX");
+    return (memory.isDir() && memory.isWritable() ? memory.filePath() : QDir::tempPath()) +
+           QStringLiteral("/fault-XXXXXX");
 }
 
 void copyFolder(const std::filesystem::path &from, const std::filesystem::path &to)

@@ -60,7 +60,8 @@ Attempt attempt(const std::filesystem::path &folder, const Fault &fault, int nth
 class AttemptedProgram
 {
 public:
-    AttemptedProgram(const std::filesystem::path &folder, const Fault &fault, int nth, const QStringList &arguments);
+    AttemptedProgram(const std::filesystem::path &folder, const Fault &fault, int nth,
+                     const QStringList &arguments);
     ~AttemptedProgram();
     /// Waits for its end. `run` gets its output and exit status (-1: ended by a signal).
     Attempt finish(ProgramRun *run);
@@ -69,8 +70,8 @@ private:
     struct Impl;
     std::unique_ptr<Impl> m_impl;
 };
-Attempt attemptProgram(const std::filesystem::path &folder, const Fault &fault, int nth, const QStringList &arguments,
-                       ProgramRun *run);
+Attempt attemptProgram(const std::filesystem::path &folder, const Fault &fault, int nth,
+                       const QStringList &arguments, ProgramRun *run);
 
 /// Whether ODOGRAPH_ALL_FAULTS asks for every call, and not a sample of them.
 bool isWholeSweep();

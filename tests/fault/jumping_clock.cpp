@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stands in front of the C library's calendar clock: it jumps to and fro by an hour, a second and a day, each for a third of a
-// second, as with a time server that cannot decide. The steady clocks are left alone.
+// Stands in front of the C library's calendar clock: it jumps to and fro by an hour, a second and a day, each
+// for a third of a second, as with a time server that cannot decide. The steady clocks are left alone.
 #include <ctime>
 #include <iterator>
 #include <sys/syscall.h>

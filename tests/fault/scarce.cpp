@@ -62,8 +62,8 @@ void *allocated(std::size_t size, std::size_t alignment, const void *caller)
         throw std::bad_alloc();
     const std::size_t bytes = size > 0 ? size : 1;
     void *memory = alignment > alignof(std::max_align_t)
-        ? std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment)
-        : std::malloc(bytes);
+                       ? std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment)
+                       : std::malloc(bytes);
     if (!memory)
         throw std::bad_alloc();
     return memory;
@@ -156,7 +156,8 @@ extern "C" int posix_memalign(void **memory, std::size_t alignment, std::size_t 
     return *memory || size == 0 ? 0 : ENOMEM;
 }
 
-extern "C" int pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*work)(void *), void *of) noexcept
+extern "C" int pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*work)(void *),
+                              void *of) noexcept
 {
     using Create = int (*)(pthread_t *, const pthread_attr_t *, void *(*)(void *), void *);
     static const auto next = reinterpret_cast<Create>(dlsym(RTLD_NEXT, "pthread_create"));

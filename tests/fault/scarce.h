@@ -6,8 +6,8 @@
 
 namespace odo::test {
 
-/// What a test program may be given no more of. Linked into a test it stands before the system's own functions
-/// for all of the program's threads.
+/// What a test program may be given no more of. Linked into a test it stands before the system's own
+/// functions for all of the program's threads.
 enum class Scarce {
     Memory,      ///< operator new, as Odograph's own code and the standard library call it
     VideoMemory, ///< what libav allocates

@@ -20,7 +20,8 @@ QDataStream &operator<<(QDataStream &out, const ScarceAttempt &attempt)
     out << quint64(attempt.requests) << attempt.hasFailed << attempt.error.has_value();
     if (attempt.error)
         out << int(attempt.error->code) << QByteArray::fromStdString(attempt.error->what)
-            << QByteArray::fromStdString(attempt.error->why) << QByteArray::fromStdString(attempt.error->advice);
+            << QByteArray::fromStdString(attempt.error->why)
+            << QByteArray::fromStdString(attempt.error->advice);
     return out;
 }
 
@@ -89,9 +90,11 @@ std::optional<Error> errorOf(const Result<void> &result)
 
 QString ScarceAttempt::words() const
 {
-    return QStringLiteral("%1 requests, %2").arg(requests).arg(signal != 0 ? QStringLiteral("ended by signal %1").arg(signal)
-                                                               : error     ? QString::fromStdString(error->message())
-                                                                           : QStringLiteral("done"));
+    return QStringLiteral("%1 requests, %2")
+        .arg(requests)
+        .arg(signal != 0 ? QStringLiteral("ended by signal %1").arg(signal)
+             : error     ? QString::fromStdString(error->message())
+                         : QStringLiteral("done"));
 }
 
 ScarceAttempt attemptWithout(Scarce what, std::uint64_t n, const std::function<Result<void>()> &work)

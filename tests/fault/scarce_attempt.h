@@ -21,8 +21,8 @@ struct ScarceAttempt
     QString words() const;
 };
 
-/// Forks, and does the work in the child, whose n-th request is refused (0: none). A child that takes longer than a minute
-/// is ended by SIGALRM.
+/// Forks, and does the work in the child, whose n-th request is refused (0: none). A child that takes longer
+/// than a minute is ended by SIGALRM.
 ScarceAttempt attemptWithout(Scarce what, std::uint64_t n, const std::function<Result<void>()> &work);
 
 /// Likewise in a child that may open so many files more.

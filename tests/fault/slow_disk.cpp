@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stands in front of the C library's calls with which a database is read and written, and makes each take its time, so that what
-// another process sees in between lasts. ODOGRAPH_SLOW_US: microseconds a call.
+// Stands in front of the C library's calls with which a database is read and written, and makes each take its
+// time, so that what another process sees in between lasts. ODOGRAPH_SLOW_US: microseconds a call.
 #include <cstdio>
 #include <cstdlib>
 #include <dlfcn.h>
@@ -19,7 +19,8 @@ void waitAWhile()
         usleep(microseconds);
 }
 
-template <class Function> Function next(const char *name)
+template <class Function>
+Function next(const char *name)
 {
     return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
 }

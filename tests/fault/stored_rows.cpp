@@ -45,10 +45,12 @@ QStringList storedRows(const std::filesystem::path &file)
         qstrcmp(reinterpret_cast<const char *>(sqlite3_column_text(check.get(), 0)), "ok") != 0)
         return {};
     QStringList rows;
-    const Statement tables =
-        prepared(database, QStringLiteral("SELECT name FROM sqlite_master WHERE type='table' AND name NOT LIKE 'sqlite%'"));
+    const Statement tables = prepared(
+        database,
+        QStringLiteral("SELECT name FROM sqlite_master WHERE type='table' AND name NOT LIKE 'sqlite%'"));
     while (tables && sqlite3_step(tables.get()) == SQLITE_ROW) {
-        const QString table = QString::fromUtf8(reinterpret_cast<const char *>(sqlite3_column_text(tables.get(), 0)));
+        const QString table =
+            QString::fromUtf8(reinterpret_cast<const char *>(sqlite3_column_text(tables.get(), 0)));
         const Statement all = prepared(database, QStringLiteral("SELECT * FROM \"%1\"").arg(table));
         int step = SQLITE_DONE;
         while (all && (step = sqlite3_step(all.get())) == SQLITE_ROW) {

@@ -6,8 +6,8 @@
 
 namespace odo::test {
 
-/// Every value of every row of every table of a database, sorted; of moments (columns that end in "_ms") only whether they
-/// are there. Empty where SQLite cannot read it or finds it damaged.
+/// Every value of every row of every table of a database, sorted; of moments (columns that end in "_ms") only
+/// whether they are there. Empty where SQLite cannot read it or finds it damaged.
 QStringList storedRows(const std::filesystem::path &file);
 
 /// The first difference of two such lists, in words; empty: none.

@@ -24,7 +24,8 @@ private:
     static ProgramRun runWithJumps(const QString &program, const QStringList &arguments)
     {
         return runCommand(QStringLiteral("env"),
-                          QStringList{QStringLiteral("LD_PRELOAD=") + qEnvironmentVariable("ODOGRAPH_JUMPING_CLOCK_LIBRARY"),
+                          QStringList{QStringLiteral("LD_PRELOAD=") +
+                                          qEnvironmentVariable("ODOGRAPH_JUMPING_CLOCK_LIBRARY"),
                                       QStringLiteral("ASAN_OPTIONS=verify_asan_link_order=0"), program} +
                               arguments);
     }
@@ -34,7 +35,8 @@ private:
 void TestClockJumps::theClockReallyJumps()
 {
     const ProgramRun run = runWithJumps(
-        QStringLiteral("sh"), {QStringLiteral("-c"), QStringLiteral("for i in 1 2 3 4 5 6 7 8; do date +%s; sleep 0.25; done")});
+        QStringLiteral("sh"),
+        {QStringLiteral("-c"), QStringLiteral("for i in 1 2 3 4 5 6 7 8; do date +%s; sleep 0.25; done")});
     std::vector<qint64> moments;
     for (const QByteArray &line : run.out.trimmed().split('\n'))
         moments.push_back(line.toLongLong());
@@ -48,11 +50,12 @@ void TestClockJumps::durationsStayTrue()
     const QString file = folder.filePath(QStringLiteral("p.odo"));
     QVERIFY(Project::create(file.toStdString(), "p").has_value());
     constexpr double wantedS = 3;
-    const ProgramRun run = runWithJumps(
-        qEnvironmentVariable("ODOGRAPH_PROGRAM"),
-        {QStringLiteral("record"), file, QStringLiteral("--trial"), QStringLiteral("run"), QStringLiteral("--camera"),
-         QStringLiteral("A=sim:A"), QStringLiteral("--camera"), QStringLiteral("B=sim:B"), QStringLiteral("--seconds"),
-         QString::number(wantedS), QStringLiteral("--json")});
+    const ProgramRun run =
+        runWithJumps(qEnvironmentVariable("ODOGRAPH_PROGRAM"),
+                     {QStringLiteral("record"), file, QStringLiteral("--trial"), QStringLiteral("run"),
+                      QStringLiteral("--camera"), QStringLiteral("A=sim:A"), QStringLiteral("--camera"),
+                      QStringLiteral("B=sim:B"), QStringLiteral("--seconds"), QString::number(wantedS),
+                      QStringLiteral("--json")});
     QVERIFY2(run.exitStatus == 0, run.err.constData());
     // The rest of a second to begin and end in, on a busy machine; the least jump is a second.
     const double durationS = run.json()[QStringLiteral("duration_s")].toDouble();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Projects that were cut off, changed bit by bit, or robbed of their log: the file at fault is named and left as it is, nothing
-// crashes or takes long, and a sound backup beside it is named, and takes its place when that is asked for.
+// Projects that were cut off, changed bit by bit, or robbed of their log: the file at fault is named and left
+// as it is, nothing crashes or takes long, and a sound backup beside it is named, and takes its place when
+// that is asked for.
 #include "core/project/project.h"
+#include "core/project/project_rescue.h"
 #include "core/project/repositories.h"
-#include "core/project/restored_backup.h"
-#include "core/project/sound_backup.h"
 #include "tests/fault/folder_content.h"
 #include "tests/fault/injected_fault.h"
 #include "tests/fault/stored_rows.h"
@@ -123,7 +123,8 @@ QString TestDamagedProjects::problemOf(const QByteArray &bytes, Project::Access 
             if (project.error().advice.empty() || project.error().code == ErrorCode::Internal)
                 return QStringLiteral("it does not say what to do: ") + QString::fromStdString(words);
             if (content(bad) != bytes)
-                return QStringLiteral("it was changed although it was refused: ") + QString::fromStdString(words);
+                return QStringLiteral("it was changed although it was refused: ") +
+                       QString::fromStdString(words);
         }
     }
     const double tookS = static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
@@ -141,10 +142,11 @@ void TestDamagedProjects::cutOffAtEveryPage()
             if (length >= m_whole.size())
                 continue;
             const int before = m_refused;
-            const QString problem =
-                problemOf(m_whole.left(length), page % 2 == 0 ? Project::Access::ReadWrite : Project::Access::ReadOnly);
+            const QString problem = problemOf(
+                m_whole.left(length), page % 2 == 0 ? Project::Access::ReadWrite : Project::Access::ReadOnly);
             QVERIFY2(problem.isEmpty(), qPrintable(QStringLiteral("%1 bytes: ").arg(length) + problem));
-            QVERIFY2(m_refused == before + 1, qPrintable(QStringLiteral("%1 bytes were taken for a project").arg(length)));
+            QVERIFY2(m_refused == before + 1,
+                     qPrintable(QStringLiteral("%1 bytes were taken for a project").arg(length)));
         }
     }
 }
@@ -162,7 +164,8 @@ void TestDamagedProjects::flippedBits()
             const auto at = static_cast<qsizetype>(random() % range);
             bytes[at] = static_cast<char>(bytes[at] ^ (1 << random() % 8));
         }
-        const QString problem = problemOf(bytes, i % 2 == 0 ? Project::Access::ReadWrite : Project::Access::ReadOnly);
+        const QString problem =
+            problemOf(bytes, i % 2 == 0 ? Project::Access::ReadWrite : Project::Access::ReadOnly);
         QVERIFY2(problem.isEmpty(), qPrintable(QStringLiteral("flip %1: ").arg(i) + problem));
     }
     qInfo("%d flips: %d refused, %d opened and read", flips, m_refused, m_opened);
@@ -175,7 +178,8 @@ void TestDamagedProjects::leaveALog() const
     const pid_t child = ::fork();
     if (child == 0) {
         const auto project = Project::open(file("logged.odo"), Project::Access::ReadWrite);
-        const bool isSet = project && (*project)->setTitle("First").has_value() && (*project)->setTitle("Second").has_value();
+        const bool isSet = project && (*project)->setTitle("First").has_value() &&
+                           (*project)->setTitle("Second").has_value();
         ::_exit(isSet ? 0 : 1); // as killed: nothing is closed
     }
     int status = 0;
@@ -229,9 +233,9 @@ void TestDamagedProjects::aSoundBackupIsNamed()
     store(file("class.odo"), bytes);
     const auto project = Project::open(file("class.odo"), Project::Access::ReadWrite);
     QVERIFY(!project);
-    QCOMPARE(project.error().message(),
-             std::string("project 'class.odo': the file is damaged; copy 'class.odo.bak-9', which is sound, to a new name and "
-                         "open that, and keep the damaged file"));
+    QCOMPARE(project.error().message(), std::string("project 'class.odo': the file is damaged; copy "
+                                                    "'class.odo.bak-9', which is sound, to a new name and "
+                                                    "open that, and keep the damaged file"));
     QVERIFY(content(file("class.odo")) == bytes);
     // What it says can be done.
     fs::copy_file(file("class.odo.bak-9"), file("restored.odo"));
@@ -250,7 +254,8 @@ void TestDamagedProjects::aDamagedBackupIsNot()
     QCOMPARE(project.error().advice, std::string("restore it from a backup copy"));
 }
 
-/// The newest that is sound, under the name that people know; the damaged file with its log is kept, and a second one beside it.
+/// The newest that is sound, under the name that people know; the damaged file with its log is kept, and a
+/// second one beside it.
 void TestDamagedProjects::aBackupIsRestored()
 {
     const QByteArray bytes = damagedContent();
@@ -272,7 +277,8 @@ void TestDamagedProjects::aBackupIsRestored()
     }
 }
 
-/// Whatever call fails, or wherever it is killed: both files are there, whole, and one of them has the project's name.
+/// Whatever call fails, or wherever it is killed: both files are there, whole, and one of them has the
+/// project's name.
 void TestDamagedProjects::nothingIsLostByRestoring()
 {
     const fs::path place = m_folder / "place";
@@ -303,15 +309,20 @@ void TestDamagedProjects::nothingIsLostByRestoring()
             const QByteArray words = tried.words().toUtf8();
             ++attempts;
             QVERIFY2(content(place / "p.odo.bak-9") == m_whole, words);
-            const bool isStill = content(place / "p.odo") == bytes, isKept = content(place / "p.odo.damaged") == bytes;
+            const bool isStill = content(place / "p.odo") == bytes,
+                       isKept = content(place / "p.odo.damaged") == bytes;
             QVERIFY2(isStill || isKept, words);
-            QVERIFY2(content(place / "p.odo-wal") == log || content(place / "p.odo.damaged-wal") == log, words);
+            QVERIFY2(content(place / "p.odo-wal") == log || content(place / "p.odo.damaged-wal") == log,
+                     words);
             if (!isStill)
                 QVERIFY2(firstDifference(wanted, storedRows(place / "p.odo")).isEmpty(), words);
             QVERIFY2(isStill != (tried.acknowledged == 1) || tried.died(), words);
             if (tried.error) {
-                QVERIFY2(!tried.error->why.empty() && !tried.error->advice.empty() && tried.error->code != ErrorCode::Internal, words);
-                const bool mayStay = fault.how == FailingCalls::How::FromThenOn || tried.failedCall.startsWith(QStringLiteral("rename")) ||
+                QVERIFY2(!tried.error->why.empty() && !tried.error->advice.empty() &&
+                             tried.error->code != ErrorCode::Internal,
+                         words);
+                const bool mayStay = fault.how == FailingCalls::How::FromThenOn ||
+                                     tried.failedCall.startsWith(QStringLiteral("rename")) ||
                                      tried.failedCall.startsWith(QStringLiteral("unlink"));
                 QVERIFY2(mayStay || content(place / "p.odo-wal") == log, words);
             }
@@ -325,7 +336,9 @@ void TestDamagedProjects::withoutABackupThereIsNothingToRestore()
     store(file("alone.odo"), damagedContent());
     const auto restored = restoreBackup(file("alone.odo"));
     QVERIFY(!restored);
-    QCOMPARE(restored.error().message(), std::string("project 'alone.odo': no sound backup lies beside it; restore it from a backup copy"));
+    QCOMPARE(
+        restored.error().message(),
+        std::string("project 'alone.odo': no sound backup lies beside it; restore it from a backup copy"));
     QVERIFY(content(file("alone.odo")) == damagedContent());
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A disk that becomes read-only, or is taken out of the file system, while a trial is recorded to it: a real file system, in a file, mounted
-// where only this program and those it starts see it. Needs the right to mount.
+// A disk that becomes read-only, or is taken out of the file system, while a trial is recorded to it: a real
+// file system, in a file, mounted where only this program and those it starts see it. Needs the right to
+// mount.
 #include "core/base/steady_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/recover_job.h"
+#include "core/workflow/record/completed_recordings.h"
 #include "tests/support/noise_clip.h"
 #include "tests/support/patience.h"
 #include "tests/support/program.h"
@@ -25,7 +26,8 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr double clipS = 30, mostMissingS = 1.0;
-/// The program looks at the disk once a second, and then ends what it began; more on a busy machine. The recording would go on for twenty.
+/// The program looks at the disk once a second, and then ends what it began; more on a busy machine. The
+/// recording would go on for twenty.
 constexpr Nanoseconds longestEnd = 10s;
 
 bool works(const char *program, const QStringList &arguments)
@@ -47,7 +49,10 @@ private Q_SLOTS:
 private:
     QString path(const char *name) const { return m_folder.filePath(QString::fromLatin1(name)); }
     bool makeDisk() const;
-    bool mountDisk() const { return works("mount", {QStringLiteral("-o"), QStringLiteral("loop"), path("disk.img"), path("disk")}); }
+    bool mountDisk() const
+    {
+        return works("mount", {QStringLiteral("-o"), QStringLiteral("loop"), path("disk.img"), path("disk")});
+    }
 
     QTemporaryDir m_folder;
 };
@@ -79,9 +84,11 @@ void TestDiskTakenAway::whatWasRecordedIsThere_data()
     QTest::addColumn<QStringList>("command");
     QTest::addColumn<QByteArray>("words");
     // As the kernel does by itself when the disk fails.
-    QTest::newRow("it becomes read-only") << QStringList{QStringLiteral("mount"), QStringLiteral("-o"), QStringLiteral("remount,abort")}
-                                          << QByteArray("the disk has become read-only");
-    QTest::newRow("it is unmounted") << QStringList{QStringLiteral("umount"), QStringLiteral("-l")} << QByteArray("its file is no longer there");
+    QTest::newRow("it becomes read-only")
+        << QStringList{QStringLiteral("mount"), QStringLiteral("-o"), QStringLiteral("remount,abort")}
+        << QByteArray("the disk has become read-only");
+    QTest::newRow("it is unmounted") << QStringList{QStringLiteral("umount"), QStringLiteral("-l")}
+                                     << QByteArray("its file is no longer there");
 }
 
 void TestDiskTakenAway::whatWasRecordedIsThere()
@@ -93,8 +100,9 @@ void TestDiskTakenAway::whatWasRecordedIsThere()
     QVERIFY(Project::create(project.toStdString(), "Disk").has_value());
     QProcess program;
     program.start(qEnvironmentVariable("ODOGRAPH_PROGRAM"),
-                  {QStringLiteral("record"), project, QStringLiteral("--trial"), QStringLiteral("run"), QStringLiteral("--camera"),
-                   QStringLiteral("A=file:") + path("a.mkv"), QStringLiteral("--camera"), QStringLiteral("B=file:") + path("b.mkv"),
+                  {QStringLiteral("record"), project, QStringLiteral("--trial"), QStringLiteral("run"),
+                   QStringLiteral("--camera"), QStringLiteral("A=file:") + path("a.mkv"),
+                   QStringLiteral("--camera"), QStringLiteral("B=file:") + path("b.mkv"),
                    QStringLiteral("--seconds"), QStringLiteral("25")});
     QVERIFY(program.waitForStarted());
     const auto recordedS = [&project] {
@@ -116,7 +124,8 @@ void TestDiskTakenAway::whatWasRecordedIsThere()
     QVERIFY(program.exitCode() != 0);
     QVERIFY2(told.startsWith("odograph: ") && told.contains(words) && told.contains("; "), told.constData());
     if (tool == "umount") { // nothing has landed on the disk in its place
-        const QStringList landed = QDir(path("disk")).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+        const QStringList landed =
+            QDir(path("disk")).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
         QVERIFY2(landed.isEmpty(), qPrintable(landed.join(u' ')));
     }
     static_cast<void>(works("umount", {path("disk")}));
@@ -133,7 +142,8 @@ void TestDiskTakenAway::whatWasRecordedIsThere()
     for (const RecordingRecord &recording : *recordings) {
         QVERIFY(playsWholly((*opened)->resolve(recording), recording.frameTimes.size()));
         const double keptS = toSeconds(recording.frameTimes.back());
-        QVERIFY2(keptS > acknowledgedS - mostMissingS, qPrintable(QStringLiteral("%1 of %2 s").arg(keptS).arg(acknowledgedS)));
+        QVERIFY2(keptS > acknowledgedS - mostMissingS,
+                 qPrintable(QStringLiteral("%1 of %2 s").arg(keptS).arg(acknowledgedS)));
     }
 }
 

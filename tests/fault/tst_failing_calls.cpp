@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each use case that writes, with its first, second, ... nth call on the disk failing, or the process killed at it: what was
-// acknowledged is there, what is there is whole, nothing half written has a final name, and it can be done again.
+// Each use case that writes, with its first, second, ... nth call on the disk failing, or the process killed
+// at it: what was acknowledged is there, what is there is whole, nothing half written has a final name, and
+// it can be done again.
 #include "core/project/project.h"
 #include "tests/fault/folder_content.h"
 #include "tests/fault/stored_rows.h"
@@ -77,7 +78,8 @@ void TestFailingCalls::nothingAcknowledgedIsLost()
     for (const Fault &fault : allFaults())
         problems << problemsOf(useCase, fault);
     qInfo("%s: %d attempts", qPrintable(useCase.name), m_attempts);
-    QVERIFY2(problems.isEmpty(), qPrintable(QStringLiteral("%1 problems:\n").arg(problems.size()) + problems.mid(0, 12).join(u'\n')));
+    QVERIFY2(problems.isEmpty(), qPrintable(QStringLiteral("%1 problems:\n").arg(problems.size()) +
+                                            problems.mid(0, 12).join(u'\n')));
 }
 
 QStringList TestFailingCalls::problemsOf(const UseCase &useCase, const Fault &fault)
@@ -108,8 +110,9 @@ QString TestFailingCalls::problemAfter(const UseCase &useCase, const Attempt &at
     const auto steps = static_cast<int>(m_steps.size()) - 1;
     if (!attempt.died() && !attempt.error && attempt.acknowledged != steps)
         return QStringLiteral("neither done nor an error");
-    for (const QString &problem : {problemOfError(attempt), problemOfProjects(), problemOfFiles(contentOf(m_work), attempt),
-                                   problemOfBackups(), attempt.acknowledged == steps ? QString() : problemOfSecondTry(useCase)}) {
+    for (const QString &problem :
+         {problemOfError(attempt), problemOfProjects(), problemOfFiles(contentOf(m_work), attempt),
+          problemOfBackups(), attempt.acknowledged == steps ? QString() : problemOfSecondTry(useCase)}) {
         if (!problem.isEmpty())
             return problem;
     }
@@ -125,7 +128,8 @@ QString TestFailingCalls::problemOfError(const Attempt &attempt) const
         return QStringLiteral("the error does not say what, why and what to do");
     if (attempt.error->code == ErrorCode::Internal)
         return QStringLiteral("the error is called one of the program");
-    const bool isDisksWord = attempt.fault.reads; // SQLite itself takes some pages that cannot be read for damaged
+    // SQLite itself takes some pages that cannot be read for damaged
+    const bool isDisksWord = attempt.fault.reads;
     if (!isDisksWord && attempt.error->why.find("damaged") != std::string::npos)
         return QStringLiteral("a sound file is called damaged");
     return {};
@@ -147,16 +151,20 @@ QString TestFailingCalls::problemOfProjects() const
     return {};
 }
 
-/// Whatever is there is as it was after the acknowledged steps, or after the next one, which may have arrived without a word.
+/// Whatever is there is as it was after the acknowledged steps, or after the next one, which may have arrived
+/// without a word.
 QString TestFailingCalls::problemOfFiles(const FolderContent &found, const Attempt &attempt) const
 {
     const FolderContent &sure = m_steps[static_cast<std::size_t>(attempt.acknowledged)];
-    const FolderContent &next = m_steps[std::min(m_steps.size() - 1, static_cast<std::size_t>(attempt.acknowledged) + 1)];
+    const FolderContent &next =
+        m_steps[std::min(m_steps.size() - 1, static_cast<std::size_t>(attempt.acknowledged) + 1)];
     for (auto file = found.begin(); file != found.end(); ++file) {
         const QString &name = file.key();
         if (!sure.contains(name) && !next.contains(name)) {
-            const bool cannotRemove = attempt.fault.how == FailingCalls::How::FromThenOn && attempt.fault.error != ENOSPC;
-            const bool mayStay = attempt.died() || cannotRemove || attempt.failedCall.startsWith(QStringLiteral("unlink"));
+            const bool cannotRemove =
+                attempt.fault.how == FailingCalls::How::FromThenOn && attempt.fault.error != ENOSPC;
+            const bool mayStay =
+                attempt.died() || cannotRemove || attempt.failedCall.startsWith(QStringLiteral("unlink"));
             const bool isBackup = name.contains(QStringLiteral(".odo.bak-"));
             const bool wasThere = m_steps.front().value(name) == file.value();
             if (!isBackup && !(mayStay && (isInTheMaking(name) || wasThere)))
@@ -191,8 +199,9 @@ QString TestFailingCalls::problemOfBackups() const
             if (!project)
                 return QString::fromStdString(name + " cannot be restored: " + project.error().message());
         }
-        const QString difference = firstDifference(m_steps.back().value(QString::fromStdString(name.substr(0, end) + ".odo")),
-                                                   storedRows(place / "restored.odo"));
+        const QString difference =
+            firstDifference(m_steps.back().value(QString::fromStdString(name.substr(0, end) + ".odo")),
+                            storedRows(place / "restored.odo"));
         fs::remove_all(place);
         if (!difference.isEmpty())
             return QString::fromStdString(name + " restored differs: ") + difference;
@@ -206,7 +215,8 @@ QString TestFailingCalls::problemOfSecondTry(const UseCase &useCase) const
     const Attempt again = attempt(m_work, {}, 0, useCase.work);
     if (again.died())
         return QStringLiteral("the second try ended by signal %1").arg(again.signal);
-    const bool arrivedBefore = again.error && (again.error->code == ErrorCode::AlreadyExists || again.error->code == ErrorCode::InvalidInput);
+    const bool arrivedBefore = again.error && (again.error->code == ErrorCode::AlreadyExists ||
+                                               again.error->code == ErrorCode::InvalidInput);
     if (again.error && !arrivedBefore)
         return QStringLiteral("the second try fails: ") + QString::fromStdString(again.error->message());
     if (again.error)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program's own words and exit status where a call on the disk fails: never "done" with a file that is not whole, one line
-// of error otherwise, and the project as it was or with the whole change.
+// The program's own words and exit status where a call on the disk fails: never "done" with a file that is
+// not whole, one line of error otherwise, and the project as it was or with the whole change.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/video/video_reader.h"
@@ -56,7 +56,8 @@ const QString project = QStringLiteral("example.odo");
 /// "odograph: WHAT: WHY; DO THIS", once.
 bool isOneLine(const QByteArray &words)
 {
-    return words.startsWith("odograph: ") && words.count('\n') == 1 && words.count(": ") >= 2 && words.contains("; ");
+    return words.startsWith("odograph: ") && words.count('\n') == 1 && words.count(": ") >= 2 &&
+           words.contains("; ");
 }
 
 /// Of a PDF file.
@@ -94,15 +95,21 @@ void TestFailingCommands::sayWhatDidNotArrive_data()
 {
     QTest::addColumn<QString>("line");
     QTest::addColumn<QString>("output");
-    QTest::newRow("robot add") << QStringLiteral("robot|add|%F/example.odo|Green 3|--colour|#00ff00") << QString();
+    QTest::newRow("robot add") << QStringLiteral("robot|add|%F/example.odo|Green 3|--colour|#00ff00")
+                               << QString();
     QTest::newRow("new") << QStringLiteral("new|%F/new.odo") << QStringLiteral("new.odo");
-    QTest::newRow("csv") << QStringLiteral("export|%F/example.odo|Trial 1|-o|%F/out.csv") << QStringLiteral("out.csv");
+    QTest::newRow("csv") << QStringLiteral("export|%F/example.odo|Trial 1|-o|%F/out.csv")
+                         << QStringLiteral("out.csv");
     QTest::newRow("json") << QStringLiteral("export|%F/example.odo|Trial 2|--format|json|-o|%F/out.json")
                           << QStringLiteral("out.json");
-    QTest::newRow("report") << QStringLiteral("report|%F/example.odo|Trial 1|-o|%F/out.pdf") << QStringLiteral("out.pdf");
-    QTest::newRow("target") << QStringLiteral("target|tags|-o|%F/markers.pdf") << QStringLiteral("markers.pdf");
-    QTest::newRow("snapshot") << QStringLiteral("snapshot|%F/example.odo|Trial 1|-o|%F/out.png") << QStringLiteral("out.png");
-    QTest::newRow("video") << QStringLiteral("export|%F/example.odo|Trial 1|--format|video|--size|320x180|-o|%F/out.mkv")
+    QTest::newRow("report") << QStringLiteral("report|%F/example.odo|Trial 1|-o|%F/out.pdf")
+                            << QStringLiteral("out.pdf");
+    QTest::newRow("target") << QStringLiteral("target|tags|-o|%F/markers.pdf")
+                            << QStringLiteral("markers.pdf");
+    QTest::newRow("snapshot") << QStringLiteral("snapshot|%F/example.odo|Trial 1|-o|%F/out.png")
+                              << QStringLiteral("out.png");
+    QTest::newRow("video") << QStringLiteral(
+                                  "export|%F/example.odo|Trial 1|--format|video|--size|320x180|-o|%F/out.mkv")
                            << QStringLiteral("out.mkv");
 }
 
@@ -120,12 +127,14 @@ void TestFailingCommands::sayWhatDidNotArrive()
     m_attempts = 0;
     QStringList problems;
     for (const Fault &fault : allFaults()) {
-        const bool isSampled = fault.how == FailingCalls::How::FromThenOn ? fault.error == ENOSPC : fault.error == EIO;
+        const bool isSampled =
+            fault.how == FailingCalls::How::FromThenOn ? fault.error == ENOSPC : fault.error == EIO;
         if (isWholeSweep() || isSampled)
             problems << problemsOf(line, output, fault);
     }
     qInfo("%d attempts", m_attempts);
-    QVERIFY2(problems.isEmpty(), qPrintable(QStringLiteral("%1 problems:\n").arg(problems.size()) + problems.mid(0, 12).join(u'\n')));
+    QVERIFY2(problems.isEmpty(), qPrintable(QStringLiteral("%1 problems:\n").arg(problems.size()) +
+                                            problems.mid(0, 12).join(u'\n')));
 }
 
 QStringList TestFailingCommands::problemsOf(const QString &line, const QString &output, const Fault &fault)
@@ -142,12 +151,14 @@ QStringList TestFailingCommands::problemsOf(const QString &line, const QString &
         const Attempt tried = attemptProgram(m_work, fault, nth, argumentsOf(line), &run);
         ++m_attempts;
         if (const QString problem = problemOf(tried, run, output); !problem.isEmpty())
-            problems << problem + QStringLiteral(" after ") + tried.words() + QStringLiteral(": ") + QString::fromUtf8(run.err);
+            problems << problem + QStringLiteral(" after ") + tried.words() + QStringLiteral(": ") +
+                            QString::fromUtf8(run.err);
     }
     return problems;
 }
 
-QString TestFailingCommands::problemOf(const Attempt &attempt, const ProgramRun &run, const QString &output) const
+QString TestFailingCommands::problemOf(const Attempt &attempt, const ProgramRun &run,
+                                       const QString &output) const
 {
     const bool wasKilled = attempt.fault.kills() && attempt.reached;
     if (attempt.signal != (wasKilled ? SIGKILL : 0))
@@ -179,10 +190,12 @@ bool TestFailingCommands::isWhole(const QString &output) const
     if (output.endsWith(QStringLiteral(".pdf"))) {
         if (!found.startsWith("%PDF") || !found.trimmed().endsWith("%%EOF"))
             return false;
-        return std::abs(found.size() - m_whole.size()) < 200 || wordsOf(m_work / output.toStdString()).contains("the video cannot be read");
+        return std::abs(found.size() - m_whole.size()) < 200 ||
+               wordsOf(m_work / output.toStdString()).contains("the video cannot be read");
     }
     if (output.endsWith(QStringLiteral(".png")))
-        return found.startsWith("\x89PNG") && found.right(12).contains("IEND"); // what it shows may tell of the fault
+        // what it shows may tell of the fault
+        return found.startsWith("\x89PNG") && found.right(12).contains("IEND");
     if (output.endsWith(QStringLiteral(".mkv")))
         return framesOf(m_work / output.toStdString()) == 30;
     return found == m_whole;
@@ -194,12 +207,16 @@ void TestFailingCommands::anAnswerThatCannotBePrintedIsAnError()
         QSKIP("there is no /dev/full here");
     copyFolder(m_base, m_work);
     const ProgramRun run =
-        runCommand(QStringLiteral("sh"), {QStringLiteral("-c"), QStringLiteral("exec \"$0\" list \"$1\" --json > /dev/full"),
-                                          qEnvironmentVariable("ODOGRAPH_PROGRAM"),
-                                          QString::fromStdString((m_work / "example.odo").string())});
+        runCommand(QStringLiteral("sh"),
+                   {QStringLiteral("-c"), QStringLiteral("exec \"$0\" list \"$1\" --json > /dev/full"),
+                    qEnvironmentVariable("ODOGRAPH_PROGRAM"),
+                    QString::fromStdString((m_work / "example.odo").string())});
     QCOMPARE(run.exitStatus, 1);
-    QCOMPARE(run.err, QByteArray("odograph: the answer: it could not be written (No space left on device); what was to be done "
-                                 "is done, make room and ask again\n"));
+    QCOMPARE(
+        run.err,
+        QByteArray(
+            "odograph: the answer: it could not be written (No space left on device); what was to be done "
+            "is done, make room and ask again\n"));
 }
 
 ODOGRAPH_TEST(TestFailingCommands, QCoreApplication)

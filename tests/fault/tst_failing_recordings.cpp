@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A recording during which a call on the disk fails, or the program is killed at it: what is kept plays and fits its times,
-// what is missing is told, and the project opens.
+// A recording during which a call on the disk fails, or the program is killed at it: what is kept plays and
+// fits its times, what is missing is told, and the project opens.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/recover_job.h"
+#include "core/workflow/record/completed_recordings.h"
 #include "tests/fault/injected_fault.h"
 #include "tests/support/noise_clip.h"
 #include "tests/support/registered_test.h"
@@ -53,10 +53,10 @@ void TestFailingRecordings::initTestCase()
 QStringList TestFailingRecordings::arguments(const fs::path &folder) const
 {
     const QString clips = QString::fromStdString(m_folder.string());
-    return {QStringLiteral("record"),   QString::fromStdString((folder / "p.odo").string()),
-            QStringLiteral("--trial"),  QStringLiteral("run"),
-            QStringLiteral("--camera"), QStringLiteral("A=file:") + clips + QStringLiteral("/a.mkv"),
-            QStringLiteral("--camera"), QStringLiteral("B=file:") + clips + QStringLiteral("/b.mkv"),
+    return {QStringLiteral("record"),    QString::fromStdString((folder / "p.odo").string()),
+            QStringLiteral("--trial"),   QStringLiteral("run"),
+            QStringLiteral("--camera"),  QStringLiteral("A=file:") + clips + QStringLiteral("/a.mkv"),
+            QStringLiteral("--camera"),  QStringLiteral("B=file:") + clips + QStringLiteral("/b.mkv"),
             QStringLiteral("--seconds"), QStringLiteral("1.5")};
 }
 
@@ -79,7 +79,8 @@ void TestFailingRecordings::whatIsKeptPlaysAndTheRestIsTold()
     ProgramRun run;
     fs::create_directories(m_folder / "counted");
     QVERIFY(Project::create(m_folder / "counted" / "p.odo", "p").has_value());
-    const Attempt counted = attemptProgram(m_folder / "counted", fault, 0, arguments(m_folder / "counted"), &run);
+    const Attempt counted =
+        attemptProgram(m_folder / "counted", fault, 0, arguments(m_folder / "counted"), &run);
     QVERIFY2(run.exitStatus == 0, run.err.constData());
     fs::remove_all(m_folder / "counted");
     QVERIFY(counted.calls > 50);
@@ -87,10 +88,12 @@ void TestFailingRecordings::whatIsKeptPlaysAndTheRestIsTold()
     QStringList problems;
     const std::vector<int> all = spreadCalls(counted.calls, isWholeSweep() ? counted.calls : 6);
     for (std::size_t from = 0; from < all.size(); from += atOnce)
-        problems << record(fault, {all.begin() + static_cast<std::ptrdiff_t>(from),
-                                   all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), from + atOnce))});
+        problems << record(fault,
+                           {all.begin() + static_cast<std::ptrdiff_t>(from),
+                            all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), from + atOnce))});
     qInfo("%d of %d calls, %d recordings kept", m_attempts, counted.calls, m_kept);
-    QVERIFY2(problems.isEmpty(), qPrintable(QStringLiteral("%1 problems:\n").arg(problems.size()) + problems.mid(0, 12).join(u'\n')));
+    QVERIFY2(problems.isEmpty(), qPrintable(QStringLiteral("%1 problems:\n").arg(problems.size()) +
+                                            problems.mid(0, 12).join(u'\n')));
 }
 
 /// Some at once: a recording mostly waits.
@@ -104,7 +107,8 @@ QStringList TestFailingRecordings::record(const Fault &fault, const std::vector<
         fs::create_directories(folders.back());
         if (!Project::create(folders.back() / "p.odo", "p"))
             return {QStringLiteral("no project")};
-        running.push_back(std::make_unique<AttemptedProgram>(folders.back(), fault, nth, arguments(folders.back())));
+        running.push_back(
+            std::make_unique<AttemptedProgram>(folders.back(), fault, nth, arguments(folders.back())));
     }
     for (std::size_t i = 0; i < running.size(); ++i) {
         ProgramRun run;
@@ -120,7 +124,8 @@ QStringList TestFailingRecordings::record(const Fault &fault, const std::vector<
     return problems;
 }
 
-QString TestFailingRecordings::problemOf(const fs::path &folder, const Attempt &attempt, const ProgramRun &run)
+QString TestFailingRecordings::problemOf(const fs::path &folder, const Attempt &attempt,
+                                         const ProgramRun &run)
 {
     const bool wasKilled = attempt.fault.kills() && attempt.reached;
     if (attempt.signal != (wasKilled ? SIGKILL : 0))

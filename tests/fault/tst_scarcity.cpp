@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each use case that writes, and tracking, where this computer has no more memory, threads or open files for its first,
-// second, ... request: it does what it should all the same, or ends with an error in words; the project is as it was.
+// Each use case that writes, and tracking, where this computer has no more memory, threads or open files for
+// its first, second, ... request: it does what it should all the same, or ends with an error in words; the
+// project is as it was.
 #include "core/base/shortage.h"
 #include "core/project/project.h"
-#include "core/workflow/track_job.h"
+#include "core/workflow/track/track_job.h"
 #include "tests/fault/folder_content.h"
 #include "tests/fault/scarce_attempt.h"
 #include "tests/fault/stored_rows.h"
@@ -37,7 +38,8 @@ UseCase tracking()
         if (const auto made = storeExample(folder, {12, 320, 180}); !made)
             qFatal("%s", made.error().message().c_str());
     };
-    return {QStringLiteral("track"), prepare, [](const fs::path &folder, const Acknowledge &acknowledge) -> Result<void> {
+    return {QStringLiteral("track"), prepare,
+            [](const fs::path &folder, const Acknowledge &acknowledge) -> Result<void> {
                 const auto project = Project::open(folder / "example.odo", Project::Access::ReadWrite);
                 if (!project)
                     return tl::unexpected(project.error());
@@ -110,10 +112,12 @@ void TestScarcity::prepare()
 QString TestScarcity::problemOf(const ScarceAttempt &tried) const
 {
     if (tried.signal != 0)
-        return tried.signal < 0 ? QStringLiteral("ended by an exception") : QStringLiteral("ended by signal %1").arg(tried.signal);
+        return tried.signal < 0 ? QStringLiteral("ended by an exception")
+                                : QStringLiteral("ended by signal %1").arg(tried.signal);
     if (tried.error && (tried.error->what.empty() || tried.error->why.empty() || tried.error->advice.empty()))
         return QStringLiteral("the error does not say what, why and what to do");
-    const bool hasSteps = qstrcmp(QTest::currentDataTag(), "change things") == 0 || qstrcmp(QTest::currentDataTag(), "empty the bin") == 0;
+    const bool hasSteps = qstrcmp(QTest::currentDataTag(), "change things") == 0 ||
+                          qstrcmp(QTest::currentDataTag(), "empty the bin") == 0;
     const FolderContent found = contentOf(m_work);
     for (auto file = found.begin(); file != found.end(); ++file) {
         const bool isProject = file.key().endsWith(QStringLiteral(".odo"));
@@ -123,8 +127,10 @@ QString TestScarcity::problemOf(const ScarceAttempt &tried) const
             return QStringLiteral("'%1' does not open").arg(file.key());
         if (isInTheMaking(file.key()))
             continue;
-        const bool isAsItMay = file.value() == m_before.value(file.key()) || file.value() == m_after.value(file.key());
-        const bool isTracked = qstrcmp(QTest::currentDataTag(), "track") == 0; // which takes its time, and stores it
+        const bool isAsItMay =
+            file.value() == m_before.value(file.key()) || file.value() == m_after.value(file.key());
+        // which takes its time, and stores it
+        const bool isTracked = qstrcmp(QTest::currentDataTag(), "track") == 0;
         // Of a video that libav reads only in part there are fewer pictures, which a warning tells.
         const bool isPart = qstrcmp(QTest::currentTestFunction(), "memoryOfVideos") == 0;
         if (!isAsItMay && !(isProject && (hasSteps || ((isTracked || isPart) && !tried.error))))
@@ -185,7 +191,8 @@ void TestScarcity::files()
         const ScarceAttempt tried = attemptWithFiles(more, work());
         told += tried.error.has_value();
         if (const QString problem = problemOf(tried); !problem.isEmpty())
-            problems << QStringLiteral("%1 files may be opened: %2 (%3)").arg(more).arg(problem, tried.words());
+            problems
+                << QStringLiteral("%1 files may be opened: %2 (%3)").arg(more).arg(problem, tried.words());
     }
     QVERIFY2(problems.isEmpty(), qPrintable(problems.join(u'\n')));
     QVERIFY(told > 0);

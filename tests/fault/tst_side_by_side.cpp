@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Several processes at once on one project: one of an older format, and one on a slow disk. A sound project is never called
-// damaged, and none of them fails.
+// Several processes at once on one project: one of an older format, and one on a slow disk. A sound project
+// is never called damaged, and none of them fails.
 #include "tests/support/program.h"
 #include "tests/support/registered_test.h"
 
@@ -58,7 +58,8 @@ private Q_SLOTS:
         for (int i = 0; i < reads; ++i) {
             const bool reading = i % 2 == 0;
             processes.push_back(begin(reading ? QStringList{QStringLiteral("list"), project}
-                                              : QStringList{QStringLiteral("camera"), QStringLiteral("add"), project, QStringLiteral("C%1").arg(i)},
+                                              : QStringList{QStringLiteral("camera"), QStringLiteral("add"),
+                                                            project, QStringLiteral("C%1").arg(i)},
                                       2000));
             if (i % 4 == 3) {
                 for (const auto &process : processes)
@@ -69,13 +70,15 @@ private Q_SLOTS:
         for (const auto &process : processes)
             QVERIFY2(succeeds(*process), m_words.constData());
         QCOMPARE(runProgram({QStringLiteral("check"), project}).exitStatus, 0);
-        QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files | QDir::Hidden), QStringList{QStringLiteral("year.odo")});
+        QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files | QDir::Hidden),
+                 QStringList{QStringLiteral("year.odo")});
     }
 
 private:
     QString storedFormat(int format) const
     {
-        QFile dump(QDir(qEnvironmentVariable("ODOGRAPH_SOURCE_DIR")).filePath(QStringLiteral("tests/data/project_format_%1.sql").arg(format)));
+        QFile dump(QDir(qEnvironmentVariable("ODOGRAPH_SOURCE_DIR"))
+                       .filePath(QStringLiteral("tests/data/project_format_%1.sql").arg(format)));
         if (!dump.open(QIODevice::ReadOnly))
             qFatal("no dump of format %d", format);
         const QString made = m_folder->filePath(QStringLiteral("year.odo"));

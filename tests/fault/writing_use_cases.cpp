@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/fault/writing_use_cases.h"
 
-#include "core/base/without_value.h"
+#include "core/base/error.h"
 #include "core/exchange/project_archive.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/copy_job.h"
 #include "core/workflow/empty_bin.h"
 #include "core/workflow/export_job.h"
-#include "core/workflow/hash_job.h"
-#include "core/workflow/import_tracks_job.h"
-#include "core/workflow/import_trial_job.h"
-#include "core/workflow/new_project_like.h"
-#include "core/workflow/overrule_job.h"
-#include "core/workflow/pack_job.h"
-#include "core/workflow/track_job.h"
+#include "core/workflow/import/import_tracks_job.h"
+#include "core/workflow/import/import_trial_job.h"
+#include "core/workflow/project_copy.h"
+#include "core/workflow/record/completed_recordings.h"
+#include "core/workflow/track/reanalysis.h"
+#include "core/workflow/track/track_job.h"
 #include "tests/ui/support/stored_example.h"
 
 #include <QDir>
@@ -44,7 +42,9 @@ using Change = std::function<Result<void>(Project &)>;
 
 Change undoable(const char *words, Change work)
 {
-    return [words, work = std::move(work)](Project &project) { return project.change(words, [&] { return work(project); }); };
+    return [words, work = std::move(work)](Project &project) {
+        return project.change(words, [&] { return work(project); });
+    };
 }
 
 /// What people change, one after the other.
@@ -59,17 +59,24 @@ std::vector<Change> changes()
                      robot.name = "Green 3";
                      return withoutValue(p.robots().add(robot));
                  }),
-        undoable("write notes", [=](Project &p) { return p.trials().setNotes(trial(p)->id, std::string(20'000, 'n')); }),
-        undoable("set tags", [=](Project &p) { return p.trials().setTags(trial(p)->id, {"wet", "été"}); }),
+        undoable("write notes",
+                 [=](Project &p) { return p.trials().setNotes(trial(p)->id, std::string(20'000, 'n')); }),
+        undoable("set tags",
+                 [=](Project &p) {
+                     return p.trials().setTags(trial(p)->id, {"wet", "été"});
+                 }),
         [](Project &p) { return withoutValue(p.undo()); },
         [](Project &p) { return withoutValue(p.redo()); },
         [](Project &p) {
             return p.note("add a team", [&] { return withoutValue(p.teams().add({0, "Kestrel", "9C"})); });
         },
-        [](Project &p) { return withoutValue(p.cameras().add({0, "C", "v4l2:/dev/video9"})); },
+        [](Project &p) {
+            return withoutValue(p.cameras().add({0, "C", "v4l2:/dev/video9"}));
+        },
         [=](Project &p) {
             const auto of = trial(p);
-            auto series = p.trials().currentObservations(p.trials().recordings(of->id)->front().id, of->robots.front());
+            auto series =
+                p.trials().currentObservations(p.trials().recordings(of->id)->front().id, of->robots.front());
             if (!series)
                 return Result<void>(tl::unexpected(series.error()));
             for (int i = 0; i < 10; ++i)
@@ -154,7 +161,8 @@ UseCase importingTracks()
         storeExampleIn(folder);
         QByteArray text = "t_s,x_mm,y_mm\n";
         for (int i = 0; i < 200; ++i)
-            text += QByteArray::number(i / 50.0, 'f', 3) + ',' + QByteArray::number(500 * std::cos(i / 25.0), 'f', 3) + ',' +
+            text += QByteArray::number(i / 50.0, 'f', 3) + ',' +
+                    QByteArray::number(500 * std::cos(i / 25.0), 'f', 3) + ',' +
                     QByteArray::number(500 * std::sin(i / 25.0), 'f', 3) + '\n';
         write(folder / "track.csv", text);
     };
@@ -189,7 +197,8 @@ UseCase emptyingTheBin()
         storeExampleIn(folder);
         const auto project = Project::open(folder / "example.odo", Project::Access::ReadWrite);
         for (const char *name : {"Trial 1", "Trial 2"})
-            if (auto binned = (*project)->trials().setBinned((*project)->trials().find(name)->id, true); !binned)
+            if (auto binned = (*project)->trials().setBinned((*project)->trials().find(name)->id, true);
+                !binned)
                 qFatal("%s", binned.error().message().c_str());
     };
     const auto work = [](const fs::path &folder, const Acknowledge &acknowledge) -> Result<void> {
@@ -205,7 +214,8 @@ UseCase emptyingTheBin()
             if (auto done = runToEnd(job, **project, {}); !done)
                 return done;
             if (!job.left().empty())
-                return fail(ErrorCode::Io, "file '" + job.left().front() + "'", "it could not be deleted", "delete it");
+                return fail(ErrorCode::Io, "file '" + job.left().front() + "'", "it could not be deleted",
+                            "delete it");
             acknowledge();
         }
         return {};
@@ -233,15 +243,19 @@ std::vector<UseCase> writingUseCases()
 {
     return {
         {QStringLiteral("change things"), storeExampleIn, makeChanges},
-        {QStringLiteral("make a project"), [](const fs::path &) {},
-         single([](const fs::path &folder) { return withoutValue(Project::create(folder / "new.odo", "New")); })},
-        {QStringLiteral("copy"), storeExampleIn,
-         jobIn([](const fs::path &folder, Project &) { return std::make_unique<CopyJob>(folder / "copy.odo"); })},
-        {QStringLiteral("next year's project"), storeExampleIn, single([](const fs::path &folder) {
-             return withoutValue(makeProjectLike(folder / "example.odo", folder / "next.odo", "Next year", {}));
+        {QStringLiteral("make a project"), [](const fs::path &) {}, single([](const fs::path &folder) {
+             return withoutValue(Project::create(folder / "new.odo", "New"));
          })},
-        {QStringLiteral("pack"), storeExampleIn,
-         jobIn([](const fs::path &folder, Project &) { return std::make_unique<PackJob>(folder / "packed.zip"); })},
+        {QStringLiteral("copy"), storeExampleIn, jobIn([](const fs::path &folder, Project &) {
+             return std::make_unique<CopyJob>(folder / "copy.odo");
+         })},
+        {QStringLiteral("next year's project"), storeExampleIn, single([](const fs::path &folder) {
+             return withoutValue(
+                 makeProjectLike(folder / "example.odo", folder / "next.odo", "Next year", {}));
+         })},
+        {QStringLiteral("pack"), storeExampleIn, jobIn([](const fs::path &folder, Project &) {
+             return std::make_unique<PackJob>(folder / "packed.zip");
+         })},
         unpacking(),
         exporting(),
         importingTracks(),

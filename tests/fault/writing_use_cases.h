@@ -13,7 +13,8 @@ struct UseCase
     Work work;
 };
 
-/// Saving changes one by one, making, copying, packing, unpacking, exporting, importing, measuring, removing for good.
+/// Saving changes one by one, making, copying, packing, unpacking, exporting, importing, measuring, removing
+/// for good.
 std::vector<UseCase> writingUseCases();
 
 /// Opening a project of an older format.

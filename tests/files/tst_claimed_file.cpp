@@ -23,7 +23,8 @@ private Q_SLOTS:
 
     void aNameThatIsTakenGetsANumber()
     {
-        const auto first = ClaimedFile::create(path(), "run", ".mkv"), second = ClaimedFile::create(path(), "run", ".mkv");
+        const auto first = ClaimedFile::create(path(), "run", ".mkv"),
+                   second = ClaimedFile::create(path(), "run", ".mkv");
         QCOMPARE(first->path(), path("run.mkv"));
         QCOMPARE(second->path(), path("run_2.mkv"));
     }
@@ -75,7 +76,8 @@ private Q_SLOTS:
             QVERIFY(!file->write(std::string("whole")));
             QVERIFY(!file->sync());
             const QString name = QString::fromStdString(file->path().filename().string());
-            QVERIFY2(name.startsWith(QStringLiteral(".new-")) && name.endsWith(QStringLiteral(".part")), qPrintable(name));
+            QVERIFY2(name.startsWith(QStringLiteral(".new-")) && name.endsWith(QStringLiteral(".part")),
+                     qPrintable(name));
             QVERIFY(!file->publish("run", ".mkv"));
             QCOMPARE(file->path(), path("run_2.mkv"));
             file->keep();
@@ -97,7 +99,8 @@ private Q_SLOTS:
         for (int i = 0; i < workers; ++i)
             threads.emplace_back([&, i] {
                 for (int n = 0; n < each; ++n) {
-                    auto file = n % 2 == 0 ? ClaimedFile::create(path(), "run", ".mkv") : ClaimedFile::begin(path());
+                    auto file =
+                        n % 2 == 0 ? ClaimedFile::create(path(), "run", ".mkv") : ClaimedFile::begin(path());
                     if (file && (n % 2 == 0 || !file->publish("run", ".mkv")))
                         claimed[std::size_t(i)].push_back(std::move(*file));
                 }
@@ -128,9 +131,11 @@ private Q_SLOTS:
 
     void theSystemsReasonIsGiven()
     {
-        QVERIFY(ClaimedFile::create(path("nowhere"), "run", ".mkv").error() == std::errc::no_such_file_or_directory);
+        QVERIFY(ClaimedFile::create(path("nowhere"), "run", ".mkv").error() ==
+                std::errc::no_such_file_or_directory);
         QVERIFY(ClaimedFile::begin(path("nowhere")).error() == std::errc::no_such_file_or_directory);
-        QVERIFY(ClaimedFile::create(path(), std::string(300, 'x'), ".mkv").error() == std::errc::filename_too_long);
+        QVERIFY(ClaimedFile::create(path(), std::string(300, 'x'), ".mkv").error() ==
+                std::errc::filename_too_long);
     }
 
 private:
@@ -139,7 +144,10 @@ private:
         const std::filesystem::path folder = m_folder->path().toStdString();
         return name.empty() ? folder : folder / name;
     }
-    QStringList names() const { return QDir(m_folder->path()).entryList(QDir::Files | QDir::Hidden | QDir::System, QDir::Name); }
+    QStringList names() const
+    {
+        return QDir(m_folder->path()).entryList(QDir::Files | QDir::Hidden | QDir::System, QDir::Name);
+    }
     void write(const std::string &name, const QByteArray &bytes) const
     {
         QFile file(QString::fromStdString(path(name).string()));

@@ -19,12 +19,18 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("start");
         QTest::addColumn<FileKind>("kind");
         const QByteArray sqlite = QByteArray("SQLite format 3").append(53, '\0');
-        const auto add = [](const char *name, const QByteArray &start, FileKind kind) { QTest::newRow(name) << start << kind; };
+        const auto add = [](const char *name, const QByteArray &start, FileKind kind) {
+            QTest::newRow(name) << start << kind;
+        };
         add("nothing", "", FileKind::Empty);
         add("PDF", "%PDF-1.4\n", FileKind::Pdf);
         add("PNG", QByteArray("\x89PNG\r\n\x1a\n", 8), FileKind::Png);
         add("JPEG", QByteArray("\xff\xd8\xff\xe0", 4), FileKind::Jpeg);
-        add("MP4", QByteArray("\0\0\0\x20" "ftypisom", 12), FileKind::Mp4);
+        add("MP4",
+            QByteArray("\0\0\0\x20"
+                       "ftypisom",
+                       12),
+            FileKind::Mp4);
         add("Matroska", QByteArray("\x1a\x45\xdf\xa3\x01", 5), FileKind::Matroska);
         add("ZIP", "PK\x03\x04", FileKind::Zip);
         add("project", sqlite + "Odog" + QByteArray(30, '\0'), FileKind::Project);

@@ -15,37 +15,46 @@ class TestOneWay : public QObject
     static const QHash<QString, QString> &known()
     {
         static const QHash<QString, QString> all{
-            {QStringLiteral("core/base/crash_handler.cpp"), QStringLiteral("a crash report, which has no name before the crash")},
-            {QStringLiteral("core/exchange/project_archive.cpp"), QStringLiteral("what is unpacked, in a TemporaryFolder")},
-            {QStringLiteral("app/workbench.cpp"), QStringLiteral("asks Qt which kinds of pictures it writes, and writes none")},
-            {QStringLiteral("core/project/log_copy.cpp"), QStringLiteral("a copy to be read, in the folder for temporary files")},
-            {QStringLiteral("core/project/held_file.cpp"), QStringLiteral("locks")},
+            {QStringLiteral("core/base/crash_report.cpp"),
+             QStringLiteral("a crash report, which has no name before the crash")},
+            {QStringLiteral("core/exchange/project_archive.cpp"),
+             QStringLiteral("what is unpacked, in a TemporaryFolder")},
+            {QStringLiteral("app/workbench.cpp"),
+             QStringLiteral("asks Qt which kinds of pictures it writes, and writes none")},
+            {QStringLiteral("core/project/write_ahead_log.cpp"),
+             QStringLiteral("a copy to be read, in the folder for temporary files")},
+            {QStringLiteral("core/project/project_locks.cpp"), QStringLiteral("locks")},
             {QStringLiteral("core/project/new_file.cpp"), QStringLiteral("a database, in a TemporaryFolder")},
-            {QStringLiteral("core/video/matroska_time_scale.cpp"), QStringLiteral("the temporary file of an OutputFile")},
             {QStringLiteral("core/video/recording_writer.cpp"), QStringLiteral("recordings, which are new")},
-            {QStringLiteral("core/video/video_writer.cpp"), QStringLiteral("the temporary file of an OutputFile")}};
+            {QStringLiteral("core/video/video_writer.cpp"),
+             QStringLiteral("the temporary file of an OutputFile")}};
         return all;
     }
 
 private Q_SLOTS:
     void noOtherSourceOpensFilesToWrite()
     {
-        static const QRegularExpression opens(QStringLiteral("std::(o|)fstream|QSaveFile|O_CREAT|AVIO_FLAG_WRITE|\\bfopen\\(|\\bQPdfWriter \\w+\\(Q|setOutputFileName|QImageWriter|\\bQFile \\w+[^;]*;\\s*[^;]*WriteOnly"));
+        static const QRegularExpression opens(
+            QStringLiteral("std::(o|)fstream|QSaveFile|O_CREAT|AVIO_FLAG_WRITE|\\bfopen\\(|\\bQPdfWriter "
+                           "\\w+\\(Q|setOutputFileName|QImageWriter|\\bQFile \\w+[^;]*;\\s*[^;]*WriteOnly"));
         const QString root = qEnvironmentVariable("ODOGRAPH_SOURCE_DIR");
         QStringList found;
         int count = 0;
         for (const char *folder : {"app", "core", "ui"}) {
-            QDirIterator each(root + u'/' + QLatin1String(folder), {QStringLiteral("*.cpp"), QStringLiteral("*.h")}, QDir::Files, QDirIterator::Subdirectories);
+            QDirIterator each(root + u'/' + QLatin1String(folder),
+                              {QStringLiteral("*.cpp"), QStringLiteral("*.h")}, QDir::Files,
+                              QDirIterator::Subdirectories);
             while (each.hasNext()) {
                 const QString name = each.next().mid(root.size() + 1);
                 QFile file(root + u'/' + name);
                 QVERIFY(file.open(QIODevice::ReadOnly));
                 ++count;
-                if (!name.startsWith(QLatin1String("core/files/")) && opens.match(QString::fromUtf8(file.readAll())).hasMatch())
+                if (!name.startsWith(QLatin1String("core/files/")) &&
+                    opens.match(QString::fromUtf8(file.readAll())).hasMatch())
                     found << name;
             }
         }
-        QVERIFY(count > 500);
+        QVERIFY(count > 300);
         found.sort();
         QStringList allowed = known().keys();
         allowed.sort();

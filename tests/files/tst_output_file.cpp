@@ -27,10 +27,14 @@ std::string contentOf(const fs::path &file)
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-void write(const fs::path &file, const std::string &bytes) { std::ofstream(file, std::ios::binary) << bytes; }
+void write(const fs::path &file, const std::string &bytes)
+{
+    std::ofstream(file, std::ios::binary) << bytes;
+}
 
 /// Has another process make something, and kills it while it does.
-template <class Work> void killDuring(const Work &work)
+template <class Work>
+void killDuring(const Work &work)
 {
     int ready[2];
     QCOMPARE(::pipe(ready), 0);
@@ -58,7 +62,10 @@ class TestOutputFile : public QObject
     Q_OBJECT
     std::unique_ptr<QTemporaryDir> m_folder;
 
-    fs::path path(const std::string &name = {}) const { return fs::path(m_folder->path().toStdString()) / name; }
+    fs::path path(const std::string &name = {}) const
+    {
+        return fs::path(m_folder->path().toStdString()) / name;
+    }
     std::vector<std::string> names() const
     {
         std::vector<std::string> all;
@@ -117,8 +124,10 @@ private Q_SLOTS:
         QCOMPARE(modeOf(path("a.csv")), mode_t(0604));
         const auto refused = writeOutput(path("a.csv"), "{\"json\": 1}");
         QVERIFY(!refused.has_value());
-        QCOMPARE(refused.error().message(), "file '" + path("a.csv").string() +
-                                                "': a file of another kind has that name; choose another name, or replace it with --force");
+        QCOMPARE(
+            refused.error().message(),
+            "file '" + path("a.csv").string() +
+                "': a file of another kind has that name; choose another name, or replace it with --force");
         QVERIFY(writeOutput({path("a.csv"), Existing::ReplaceAny}, "{\"json\": 1}").has_value());
         QCOMPARE(contentOf(path("a.csv")), std::string("{\"json\": 1}"));
     }
@@ -155,7 +164,8 @@ private Q_SLOTS:
         QCOMPARE(names(), std::vector<std::string>{"one.csv"});
         const std::string content = contentOf(path("one.csv"));
         QCOMPARE(content.size(), std::size_t(100'000));
-        QVERIFY(content.starts_with("h,h\n") && content.find_first_not_of(content.back(), 4) == std::string::npos);
+        QVERIFY(content.starts_with("h,h\n") &&
+                content.find_first_not_of(content.back(), 4) == std::string::npos);
     }
 
     void whatAKilledProgramLeftIsSwept()
@@ -200,7 +210,9 @@ private Q_SLOTS:
         {
             const auto folder = TemporaryFolder::make(path(), "folder").value();
             write(folder->path() / "kept.csv", "a");
-            fs::copy(folder->path().parent_path(), path(".odograph-eeeeeeeeeeee.part"), fs::copy_options::recursive); // a copy is somebody's own
+            // a copy is somebody's own
+            fs::copy(folder->path().parent_path(), path(".odograph-eeeeeeeeeeee.part"),
+                     fs::copy_options::recursive);
         }
         QVERIFY(writeOutput(path("a.csv"), "a,b\n").has_value());
         for (const std::string &name : before)
@@ -208,9 +220,12 @@ private Q_SLOTS:
         QCOMPARE(names().size(), before.size() + 2);
         QCOMPARE(contentOf(path(".odograph-cccccccccccc.part/new/photo.jpg")), std::string("somebody's own"));
         QCOMPARE(contentOf(path(".odograph-eeeeeeeeeeee.part/new/kept.csv")), std::string("a"));
-        const auto refused = writeOutput({path(".odograph-ffffffffffff.part"), Existing::ReplaceAny}, "a,b\n");
+        const auto refused =
+            writeOutput({path(".odograph-ffffffffffff.part"), Existing::ReplaceAny}, "a,b\n");
         QCOMPARE(refused.error().code, ErrorCode::WrongCall);
-        QCOMPARE(refused.error().message(), "file '" + path(".odograph-ffffffffffff.part").string() + "': Odograph uses such names for temporary files; choose another name");
+        QCOMPARE(refused.error().message(),
+                 "file '" + path(".odograph-ffffffffffff.part").string() +
+                     "': Odograph uses such names for temporary files; choose another name");
     }
 
     void aFolderKeepsWhatWasPublished()
@@ -237,7 +252,8 @@ private Q_SLOTS:
         if (fs::exists("/dev/full")) {
             const auto output = OutputFile::open(path("full.csv"), FileKind::Csv);
             QVERIFY(::dup2(::open("/dev/full", O_WRONLY | O_CLOEXEC), (*output)->descriptor()) >= 0);
-            QCOMPARE((*output)->write("x").error().why, std::string("it cannot be written (No space left on device)"));
+            QCOMPARE((*output)->write("x").error().why,
+                     std::string("it cannot be written (No space left on device)"));
         }
     }
 };

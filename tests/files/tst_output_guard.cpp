@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/files/output_guard.h"
+#include "core/files/output_file.h"
 #include "core/files/protected_files.h"
 #include "tests/support/registered_test.h"
 
@@ -19,12 +19,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string projectBytes = std::string("SQLite format 3\0", 16) + std::string(52, '\0') + "Odog" + std::string(200, '\0');
+const std::string projectBytes =
+    std::string("SQLite format 3\0", 16) + std::string(52, '\0') + "Odog" + std::string(200, '\0');
 
-const char *const theProject = "it is the project itself", *const besideIt = "it is the log, the lock or a backup of a project",
+const char *const theProject = "it is the project itself",
+                  *const besideIt = "it is the log, the lock or a backup of a project",
                   *const inMedia = "it is in the media folder of project 'p.odo'";
 
-void write(const fs::path &file, const std::string &bytes) { std::ofstream(file, std::ios::binary) << bytes; }
+void write(const fs::path &file, const std::string &bytes)
+{
+    std::ofstream(file, std::ios::binary) << bytes;
+}
 
 /// Whether another process could take the file's lock: whether this one still has it.
 bool isLockFree(const fs::path &file)
@@ -70,11 +75,14 @@ private Q_SLOTS:
         fs::create_directories(path("sub"));
         for (const char *folder : {"proj.media", "bare.media", "CAPS.media", "beside/old.media/deep"})
             fs::create_directories(path(folder));
-        for (const char *name : {"proj.media/a.csv", "bare.media/a.csv", "CAPS.media/a.csv", "beside/old.media/deep/a.csv"})
+        for (const char *name :
+             {"proj.media/a.csv", "bare.media/a.csv", "CAPS.media/a.csv", "beside/old.media/deep/a.csv"})
             write(path(name), "a,b\n");
-        for (const char *name : {"p.odo", "other.odo", "sub/third.odo", "Proj.x", "bare", "caps.ODO", "beside/new"})
+        for (const char *name :
+             {"p.odo", "other.odo", "sub/third.odo", "Proj.x", "bare", "caps.ODO", "beside/new"})
             write(path(name), projectBytes);
-        for (const char *name : {"p.odo-wal", "p.media/run_A.mkv", "p.media/calibration/a.png", "other.media/run.mkv", "p.odo.bak-3", "p.odo.damaged"})
+        for (const char *name : {"p.odo-wal", "p.media/run_A.mkv", "p.media/calibration/a.png",
+                                 "other.media/run.mkv", "p.odo.bak-3", "p.odo.damaged"})
             write(path(name), "a,b\n");
         write(path("foreign.db"), std::string("SQLite format 3\0", 16) + std::string(300, '\0'));
         write(path("table.csv"), "t_s,x_mm\n0,1\n");
@@ -114,18 +122,22 @@ private Q_SLOTS:
         };
         const std::string root = m_folder.path().toStdString();
         // The project, by each way that leads to it.
-        for (const std::string &name : {root + "/p.odo", root + "//p.odo", root + "/./p.odo", root + "/sub/../p.odo", std::string("../p.odo"), std::string("./..//p.odo"),
-                                        root + "/link.csv", root + "/link2.csv", root + "/link3.csv", std::string("up/p.odo"), root + "/hard.csv"})
+        for (const std::string &name :
+             {root + "/p.odo", root + "//p.odo", root + "/./p.odo", root + "/sub/../p.odo",
+              std::string("../p.odo"), std::string("./..//p.odo"), root + "/link.csv", root + "/link2.csv",
+              root + "/link3.csv", std::string("up/p.odo"), root + "/hard.csv"})
             add(name, theProject);
         // What lies beside it, whether it is there or not, in capitals too.
-        for (const char *suffix : {"-wal", "-shm", "-journal", ".lock", ".bak-3", ".bak-7", ".damaged", ".damaged.2", "-WAL"})
+        for (const char *suffix :
+             {"-wal", "-shm", "-journal", ".lock", ".bak-3", ".bak-7", ".damaged", ".damaged.2", "-WAL"})
             add(root + "/p.odo" + suffix, besideIt);
         add(root + "/P.ODO-shm", besideIt);
         add(root + "/gone.odo-wal", besideIt);
         add(root + "/dangling.csv", besideIt);
         add(root + "/hard_wal.csv", besideIt);
         // Its media.
-        for (const char *name : {"p.media/run_A.mkv", "p.media/new.csv", "p.media/calibration/a.png", "p.media/calibration/new.csv", "dangling_media.csv", "hard_video.csv",
+        for (const char *name : {"p.media/run_A.mkv", "p.media/new.csv", "p.media/calibration/a.png",
+                                 "p.media/calibration/new.csv", "dangling_media.csv", "hard_video.csv",
                                  "hard_picture.csv", "sub/../p.media/run_A.mkv"})
             add(root + '/' + name, inMedia);
         add("media/run_A.mkv", inMedia);
@@ -145,7 +157,8 @@ private Q_SLOTS:
         add("third.odo", "it is another project");
         add(root + "/foreign.db", "it is a database");
         // A name that says it is a project.
-        for (const char *name : {"new.odo", "NEW.Odo", ".odo", "table.odo", "to_new_project.csv", "seems_project.odo"})
+        for (const char *name :
+             {"new.odo", "NEW.Odo", ".odo", "table.odo", "to_new_project.csv", "seems_project.odo"})
             add(root + '/' + name, "a name ending in .odo is for a project");
         add(root, "it is a folder");
         add(root + '/', "it is a folder");
@@ -170,7 +183,9 @@ private Q_SLOTS:
         QCOMPARE(QString::fromStdString(refused.error().why), why);
         QCOMPARE(QString::fromStdString(refused.error().what), QStringLiteral("file '%1'").arg(target));
         const bool isWrongCall = refused.error().code == ErrorCode::WrongCall;
-        QCOMPARE(isWrongCall, why.startsWith(QStringLiteral("it is ")) || why.startsWith(QStringLiteral("a ")) || why == QStringLiteral("it has no name"));
+        QCOMPARE(isWrongCall, why.startsWith(QStringLiteral("it is ")) ||
+                                  why.startsWith(QStringLiteral("a ")) ||
+                                  why == QStringLiteral("it has no name"));
     }
 
     void aSocketIsRefused()
@@ -188,13 +203,16 @@ private Q_SLOTS:
 
     void nothingIsRefusedThatMayBeWritten()
     {
-        for (const char *name : {"new.csv", "table.csv", "empty", "dangling_free.csv", "hard_free.csv", "free.media/a.csv", "p.media.csv", "p.mediax", "p.odo.csv",
-                                 "p.odo-walk", "beside/old.media/new.csv", "bare-walk", "a bare.lock", "letter.txt.lock", "sub/../new.csv", "p.media/../new.csv", "sub/media/../new.csv"})
+        for (const char *name : {"new.csv", "table.csv", "empty", "dangling_free.csv", "hard_free.csv",
+                                 "free.media/a.csv", "p.media.csv", "p.mediax", "p.odo.csv", "p.odo-walk",
+                                 "beside/old.media/new.csv", "bare-walk", "a bare.lock", "letter.txt.lock",
+                                 "sub/../new.csv", "p.media/../new.csv", "sub/media/../new.csv"})
             QCOMPARE(refusal(path(name)), std::string());
         QCOMPARE(checkOutput(path("table.csv"), FileKind::Csv)->kind, FileKind::Csv);
         QVERIFY(!checkOutput(path("new.csv"), FileKind::Csv)->exists);
         QCOMPARE(refusal(path("new.odo"), FileKind::Project), std::string());
-        QCOMPARE(checkOutput(path("dangling_free.csv"), FileKind::Csv)->real, fs::canonical(path("")) / "nowhere.csv");
+        QCOMPARE(checkOutput(path("dangling_free.csv"), FileKind::Csv)->real,
+                 fs::canonical(path("")) / "nowhere.csv");
     }
 
     void forceReplacesAnotherKindButNeverWhatMustStay()
@@ -202,7 +220,8 @@ private Q_SLOTS:
         QCOMPARE(refusal({path("letter.txt"), Existing::ReplaceAny}), std::string());
         QCOMPARE(refusal(path("letter.txt"), std::nullopt), std::string()); // the kind isn't known yet
         QCOMPARE(refusal({path("table.csv"), Existing::Refuse}), std::string("it is there already"));
-        for (const char *name : {"p.odo", "hard.csv", "p.odo-wal", "p.media/new.csv", "other.odo", "foreign.db", "fifo", "new.odo", "table.odo"})
+        for (const char *name : {"p.odo", "hard.csv", "p.odo-wal", "p.media/new.csv", "other.odo",
+                                 "foreign.db", "fifo", "new.odo", "table.odo"})
             QVERIFY2(!refusal({path(name), Existing::ReplaceAny}).empty(), name);
     }
 
@@ -215,7 +234,8 @@ private Q_SLOTS:
             QCOMPARE(refusal(path("logo.png")), std::string("it is an input of the same call"));
             InputFiles recordings("it is a recording of the project");
             recordings.add(path("table.csv"));
-            QCOMPARE(refusal({path("hard_free.csv"), Existing::ReplaceAny}), std::string("it is a recording of the project"));
+            QCOMPARE(refusal({path("hard_free.csv"), Existing::ReplaceAny}),
+                     std::string("it is a recording of the project"));
         }
         QCOMPARE(refusal(path("logo.png")), std::string());
     }
@@ -244,9 +264,13 @@ private Q_SLOTS:
         fs::create_directories(path("disk/videos"));
         write(path("linked.odo"), projectBytes);
         fs::create_symlink(path("disk/videos"), path("linked.media"));
-        QCOMPARE(refusal(path("linked.media/a.csv")), std::string("it is in the media folder of project 'linked.odo'")); // by its name
+        // by its name
+        QCOMPARE(refusal(path("linked.media/a.csv")),
+                 std::string("it is in the media folder of project 'linked.odo'"));
         const OpenProjectFile open(path("linked.odo"));
-        QCOMPARE(refusal(path("disk/videos/a.csv")), std::string("it is in the media folder of project 'linked.odo'")); // by what it is
+        // by what it is
+        QCOMPARE(refusal(path("disk/videos/a.csv")),
+                 std::string("it is in the media folder of project 'linked.odo'"));
     }
 
     /// To open and close an open project would drop SQLite's locks on it.
@@ -261,7 +285,8 @@ private Q_SLOTS:
         write(path("p.odo-shm"), "index of the log");
         const int index = ::open(path("p.odo-shm").c_str(), O_RDWR | O_CLOEXEC);
         QCOMPARE(::fcntl(index, F_SETLK, &lock), 0);
-        for (const char *name : {"p.odo", "hard.csv", "link.csv", "p.odo-wal", "new.csv", "p.media/run_A.mkv", "free.media/a.csv"})
+        for (const char *name : {"p.odo", "hard.csv", "link.csv", "p.odo-wal", "new.csv", "p.media/run_A.mkv",
+                                 "free.media/a.csv"})
             static_cast<void>(refusal({path(name), Existing::ReplaceAny}));
         QVERIFY(!isLockFree(path("p.odo")));
         QVERIFY(!isLockFree(path("p.odo-shm")));

@@ -22,7 +22,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t cou
 {
     using namespace odo;
     static fuzz::File file(".zip");
-    static const std::filesystem::path around = std::filesystem::temp_directory_path() / ("around_" + std::to_string(::getpid()));
+    static const std::filesystem::path around =
+        std::filesystem::temp_directory_path() / ("around_" + std::to_string(::getpid()));
     static const bool isMade = std::filesystem::create_directories(around / "in");
     static_cast<void>(isMade);
     if (unpackArchive(file.holding(bytes, count), around / "in" / "unpacked", {})) {
@@ -30,7 +31,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t cou
         std::filesystem::remove_all(around / "in" / "unpacked");
     }
     const auto countIn = [](const std::filesystem::path &folder) {
-        return std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator());
+        return std::distance(std::filesystem::directory_iterator(folder),
+                             std::filesystem::directory_iterator());
     };
     if (countIn(around) != 1 || countIn(around / "in") != 0) {
         std::fprintf(stderr, "something is left in %s\n", around.c_str());

@@ -4,7 +4,8 @@
 
 namespace {
 
-/// Coefficients at the end that are zero bend nothing: none at all are written as zeros, for other programs read no empty matrix.
+/// Coefficients at the end that are zero bend nothing: none at all are written as zeros, for other programs
+/// read no empty matrix.
 std::vector<double> withoutZerosAtTheEnd(std::vector<double> distortion)
 {
     while (!distortion.empty() && distortion.back() == 0)
@@ -14,7 +15,8 @@ std::vector<double> withoutZerosAtTheEnd(std::vector<double> distortion)
 
 bool isSameLens(const odo::Intrinsics &a, const odo::Intrinsics &b)
 {
-    return a.model == b.model && a.fxPx == b.fxPx && withoutZerosAtTheEnd(a.distortion) == withoutZerosAtTheEnd(b.distortion);
+    return a.model == b.model && a.fxPx == b.fxPx &&
+           withoutZerosAtTheEnd(a.distortion) == withoutZerosAtTheEnd(b.distortion);
 }
 
 } // namespace
@@ -31,7 +33,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t cou
         const std::string text = intrinsicsText(read->cameraName, read->intrinsics, format);
         const auto again = parseCalibration("again.yaml", text);
         if (!again || !isSameLens(again->intrinsics, read->intrinsics)) {
-            std::fprintf(stderr, "written as:\n%s\n%s\n", text.c_str(), again ? "other numbers" : again.error().message().c_str());
+            std::fprintf(stderr, "written as:\n%s\n%s\n", text.c_str(),
+                         again ? "other numbers" : again.error().message().c_str());
             std::abort();
         }
     }

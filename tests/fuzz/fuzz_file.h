@@ -11,8 +11,8 @@
 
 namespace odo::fuzz {
 
-/// The bytes of a run as a file, for readers that open one by its name. It lies in TMPDIR, which tests/fuzz/fuzz puts
-/// into memory, and is written anew for each run.
+/// The bytes of a run as a file, for readers that open one by its name. It lies in TMPDIR, which
+/// tests/fuzz/fuzz puts into memory, and is written anew for each run.
 class File
 {
 public:

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/video/ffv1_checksum.h"
-#include "core/video/h264_siting.h"
-#include "core/video/jpeg_decoder.h"
-#include "core/video/jpeg_file.h"
+#include "core/video/internal/stream_format.h"
+#include "core/video/jpeg.h"
+#include "core/video/video_input.h"
 
-/// A picture as a camera sends it: format, Huffman tables, whole and in part; and the packets of other codecs that we look into
-/// ourselves.
+/// A picture as a camera sends it: format, Huffman tables, whole and in part; and the packets of other codecs
+/// that we look into ourselves.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t count)
 {
     using namespace odo;
@@ -20,6 +19,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t coun
     JpegDecoder decoder(*format);
     Frame whole, part;
     static_cast<void>(decoder.decode(bytes, std::nullopt, whole));
-    static_cast<void>(decoder.decode(bytes, PixelRect{format->width / 4, format->height / 4, format->width / 4 + 1, format->height / 4 + 1}, part));
+    static_cast<void>(decoder.decode(
+        bytes,
+        PixelRect{format->width / 4, format->height / 4, format->width / 4 + 1, format->height / 4 + 1},
+        part));
     return 0;
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/picture.h"
-#include "core/video/picture_header.h"
 #include "core/video/picture_reader.h"
 #include "tests/fuzz/fuzz_file.h"
 

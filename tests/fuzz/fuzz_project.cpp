@@ -37,8 +37,8 @@ extern "C" int LLVMFuzzerInitialize(int *, char ***)
     return 0;
 }
 
-/// A whole project file, as anyone may send one: opened to read, and every eighth length to write, looked through, and read
-/// in a way that depends on all of its bytes.
+/// A whole project file, as anyone may send one: opened to read, and every eighth length to write, looked
+/// through, and read in a way that depends on all of its bytes.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t count)
 {
     using namespace odo;
@@ -46,12 +46,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t cou
     const bool writes = count % 8 == 1;
     const std::filesystem::path &path = file.holding(bytes, count);
     bool isOpen = false;
-    if (const auto project = Project::open(path, writes ? Project::Access::ReadWrite : Project::Access::ReadOnly)) {
+    if (const auto project =
+            Project::open(path, writes ? Project::Access::ReadWrite : Project::Access::ReadOnly)) {
         isOpen = true;
         static_cast<void>((*project)->title());
         static_cast<void>((*project)->changes());
         static_cast<void>((*project)->check(false));
-        readInOneWay(**project, std::hash<std::string_view>()({reinterpret_cast<const char *>(bytes), count}));
+        readInOneWay(**project,
+                     std::hash<std::string_view>()({reinterpret_cast<const char *>(bytes), count}));
     }
     if (writes || isOpen)
         removeOthers(path);

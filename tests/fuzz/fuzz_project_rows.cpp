@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/change_journal.h"
-#include "core/project/connection.h"
+#include "core/project/internal/change_journal.h"
+#include "core/project/internal/connection.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/read_project.h"
 #include "tests/fuzz/sqlite_memory.h"
@@ -17,8 +17,8 @@ struct Column
     QString table, name;
 };
 
-/// A filled project that stays open. What a run changes in it is taken back afterwards, which costs far less than a file of its
-/// own: so the rows of a sound project get values that no Odograph would have written.
+/// A filled project that stays open. What a run changes in it is taken back afterwards, which costs far less
+/// than a file of its own: so the rows of a sound project get values that no Odograph would have written.
 class OpenProject
 {
 public:
@@ -38,7 +38,8 @@ public:
         for (const QString &trigger : names("SELECT name FROM sqlite_master WHERE type='trigger'"))
             execute("DROP TRIGGER " + trigger.toUtf8());
         for (const QString &table : names("SELECT name FROM sqlite_master WHERE type='table'")) {
-            for (const QString &column : names("SELECT name FROM pragma_table_info('" + table.toUtf8() + "')"))
+            for (const QString &column :
+                 names("SELECT name FROM pragma_table_info('" + table.toUtf8() + "')"))
                 m_columns.push_back({table, column});
         }
         m_repositories.emplace(*m_connection);
@@ -48,8 +49,11 @@ public:
     void change(FuzzedDataProvider &data)
     {
         const Column &column = m_columns[data.ConsumeIntegralInRange<std::size_t>(0, m_columns.size() - 1)];
-        const QString where = QStringLiteral(" WHERE rowid=(SELECT rowid FROM %1 LIMIT 1 OFFSET %2)").arg(column.table).arg(data.ConsumeIntegral<std::uint8_t>() % 4);
-        const QString set = QStringLiteral("UPDATE OR IGNORE %1 SET %2=?").arg(column.table, column.name) + where;
+        const QString where = QStringLiteral(" WHERE rowid=(SELECT rowid FROM %1 LIMIT 1 OFFSET %2)")
+                                  .arg(column.table)
+                                  .arg(data.ConsumeIntegral<std::uint8_t>() % 4);
+        const QString set =
+            QStringLiteral("UPDATE OR IGNORE %1 SET %2=?").arg(column.table, column.name) + where;
         switch (data.ConsumeIntegralInRange(0, 5)) {
         case 0:
             return run(Statement(*m_connection, set).bind(data.ConsumeIntegral<std::int64_t>()));
@@ -73,7 +77,8 @@ public:
     struct Repositories
     {
         explicit Repositories(ProjectConnection &c)
-            : m_cameras(c), m_layouts(c), m_robots(c), m_teams(c), m_classes(c), m_tasks(c), m_trials(c), m_analyses(c)
+            : m_cameras(c), m_layouts(c), m_robots(c), m_teams(c), m_classes(c), m_tasks(c), m_trials(c),
+              m_analyses(c)
         {
         }
         CameraRepository &cameras() { return m_cameras; }
@@ -131,14 +136,16 @@ private:
     /// What is there with some bytes replaced, or cut.
     QByteArray mutated(const Column &column, const QString &where, FuzzedDataProvider &data)
     {
-        Statement select(*m_connection, QStringLiteral("SELECT %2 FROM %1").arg(column.table, column.name) + where);
+        Statement select(*m_connection,
+                         QStringLiteral("SELECT %2 FROM %1").arg(column.table, column.name) + where);
         const auto found = select.firstRow();
         QByteArray bytes = found && *found ? select.blob(0) : QByteArray();
         if (data.ConsumeBool())
             bytes.truncate(data.ConsumeIntegralInRange<qsizetype>(0, bytes.size()));
         const auto at = data.ConsumeIntegralInRange<qsizetype>(0, bytes.size());
         const auto fresh = data.ConsumeRandomLengthString(32);
-        bytes.replace(at, std::min<qsizetype>(bytes.size() - at, static_cast<qsizetype>(fresh.size())), QByteArray::fromStdString(fresh));
+        bytes.replace(at, std::min<qsizetype>(bytes.size() - at, static_cast<qsizetype>(fresh.size())),
+                      QByteArray::fromStdString(fresh));
         return bytes;
     }
 
@@ -147,7 +154,8 @@ private:
     {
         TrialRecord trial;
         trial.name = "unfinished";
-        const TrialRecord begun = project.trials().begin(trial, {source.recording(project.cameras().find("A")->id, 0)}).value();
+        const TrialRecord begun =
+            project.trials().begin(trial, {source.recording(project.cameras().find("A")->id, 0)}).value();
         RecordedTimes times;
         times.pictures = {{1, Nanoseconds(10), Nanoseconds(20)}, {2, Nanoseconds(30), Nanoseconds(40)}};
         times.readings = {{Nanoseconds(5), Nanoseconds(6), Nanoseconds(7)}};
@@ -168,7 +176,8 @@ private:
         static_cast<void>(project.trials().addImportedTrack(track));
         static_cast<void>(project.trials().setTags(filled.trial, {"tag"}));
         static_cast<void>(project.trials().setOverrules(filled.trial, filled.robot, {{3, true}}));
-        static_cast<void>(project.tasks().setScoring(project.tasks().find("line")->id, {{"duration", 1, 10, 5}}));
+        static_cast<void>(
+            project.tasks().setScoring(project.tasks().find("line")->id, {{"duration", 1, 10, 5}}));
     }
 
     fuzz::File m_place{".odo"};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes the seeds that are no text, by Odograph's own writers and libav's: fuzz_seeds tests/fuzz/corpus
 #include "core/exchange/project_archive.h"
-#include "core/project/series_blobs.h"
-#include "core/video/jpeg_encoder.h"
+#include "core/project/internal/series_blobs.h"
+#include "core/video/jpeg.h"
 #include "core/video/video_writer.h"
 #include "tests/project/sample_records.h"
 #include "tests/video/foreign_files.h"
@@ -38,7 +38,9 @@ void shrink(const Path &file)
 {
     sqlite3 *database = nullptr;
     require(sqlite3_open(file.c_str(), &database) == SQLITE_OK, file.c_str());
-    require(sqlite3_exec(database, "PRAGMA journal_mode=DELETE; PRAGMA page_size=512; VACUUM", nullptr, nullptr, nullptr) == SQLITE_OK, file.c_str());
+    require(sqlite3_exec(database, "PRAGMA journal_mode=DELETE; PRAGMA page_size=512; VACUUM", nullptr,
+                         nullptr, nullptr) == SQLITE_OK,
+            file.c_str());
     sqlite3_close(database);
 }
 
@@ -63,7 +65,8 @@ void writeSeries(const Path &folder)
     const auto keep = [&folder](const char *name, const QByteArray &bytes) { write(folder / name, bytes); };
     keep("times", packTimes(std::vector{Nanoseconds(0), Nanoseconds(33'000'000)}));
     keep("raw_times", packRawTimes(std::vector{RawTime{1, Nanoseconds(2), Nanoseconds(3)}}));
-    keep("clock_readings", packClockReadings(std::vector{ClockReading{Nanoseconds(1), Nanoseconds(2), Nanoseconds(3)}}));
+    keep("clock_readings",
+         packClockReadings(std::vector{ClockReading{Nanoseconds(1), Nanoseconds(2), Nanoseconds(3)}}));
     keep("observations", packObservations(std::vector{source.observation(0), source.observation(1)}));
     const AnalysisRecord analysis = source.analysis(1, 1, 2);
     keep("samples", packSamples(analysis.profile.samples));
@@ -78,9 +81,17 @@ void writeArchives(const Path &folder)
 {
     const Path content = folder / "content";
     write(content, std::string(300, 'x'));
-    require(writeArchive(folder / "packed.zip", {{"p.odo", content}, {"p.media/run_A.mkv", content}, {"p.media/calibration/a.png", content}}, {}).has_value(), "packed.zip");
-    require(writeArchive(folder / "climbs.zip", {{"p.odo", content}, {"p.media/../../x", content}}, {}).has_value(), "climbs.zip");
-    require(writeArchive(folder / "absolute.zip", {{"p.odo", content}, {"/tmp/x", content}}, {}).has_value(), "absolute.zip");
+    require(writeArchive(
+                folder / "packed.zip",
+                {{"p.odo", content}, {"p.media/run_A.mkv", content}, {"p.media/calibration/a.png", content}},
+                {})
+                .has_value(),
+            "packed.zip");
+    require(writeArchive(folder / "climbs.zip", {{"p.odo", content}, {"p.media/../../x", content}}, {})
+                .has_value(),
+            "climbs.zip");
+    require(writeArchive(folder / "absolute.zip", {{"p.odo", content}, {"/tmp/x", content}}, {}).has_value(),
+            "absolute.zip");
     std::filesystem::remove(content);
 }
 
@@ -123,10 +134,12 @@ void writeVideos(const Path &folder)
     {
         const char *name, *encoder, *format;
         std::int64_t interval = 1;
-    } videos[] = {{"mjpeg.mkv", "mjpeg", "yuvj420p"},  {"mjpeg.avi", "mjpeg", "yuvj422p"}, {"ffv1.mkv", "ffv1", "yuv420p"},
-                  {"h264.mp4", "libx264", "yuv420p"},  {"mpeg4.avi", "mpeg4", "yuv420p"},  {"mpeg2.ts", "mpeg2video", "yuv420p"},
-                  {"vp8.webm", "libvpx", "yuv420p"},   {"grey.nut", "rawvideo", "gray"},   {"nv12.mov", "rawvideo", "nv12"},
-                  {"far.mkv", "mjpeg", "yuvj420p", 50'000'000'000'000'000}};
+    } videos[] = {
+        {"mjpeg.mkv", "mjpeg", "yuvj420p"}, {"mjpeg.avi", "mjpeg", "yuvj422p"},
+        {"ffv1.mkv", "ffv1", "yuv420p"},    {"h264.mp4", "libx264", "yuv420p"},
+        {"mpeg4.avi", "mpeg4", "yuv420p"},  {"mpeg2.ts", "mpeg2video", "yuv420p"},
+        {"vp8.webm", "libvpx", "yuv420p"},  {"grey.nut", "rawvideo", "gray"},
+        {"nv12.mov", "rawvideo", "nv12"},   {"far.mkv", "mjpeg", "yuvj420p", 50'000'000'000'000'000}};
     for (const auto &video : videos) {
         if (!test::writeRaw(folder / video.name, video.encoder, video.format, 3, video.interval)) {
             std::fprintf(stderr, "fuzz_seeds: libav does not write %s\n", video.name);
@@ -143,8 +156,9 @@ int main(int count, char **arguments)
 {
     require(count == 2, "anything: name the folder of the corpora");
     const Path corpus = arguments[1];
-    const std::pair<const char *, void (*)(const Path &)> parts[] = {{"project", writeProjects}, {"series", writeSeries}, {"archive", writeArchives},
-                                                                    {"picture", writePictures}, {"jpeg", writeJpegs}, {"video", writeVideos}};
+    const std::pair<const char *, void (*)(const Path &)> parts[] = {
+        {"project", writeProjects}, {"series", writeSeries}, {"archive", writeArchives},
+        {"picture", writePictures}, {"jpeg", writeJpegs},    {"video", writeVideos}};
     for (const auto &[name, writePart] : parts) {
         std::filesystem::create_directories(corpus / name);
         writePart(corpus / name);

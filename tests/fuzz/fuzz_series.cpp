@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/series_blobs.h"
+#include "core/project/internal/series_blobs.h"
 
 #include <cstdlib>
 
@@ -7,12 +7,14 @@ namespace {
 
 using namespace odo;
 
-/// Reads a series and, where it is one, packs it again, which must give the bytes it was read from where `isExact`.
+/// Reads a series and, where it is one, packs it again, which must give the bytes it was read from where
+/// `isExact`.
 template <class Value, class Unpack, class Pack>
 void roundTrip(const QByteArray &bytes, Unpack unpack, Pack pack, bool isExact)
 {
     std::vector<Value> values;
-    if (unpack(bytes, "series", values) && (pack(values).size() != bytes.size() || (isExact && pack(values) != bytes)))
+    if (unpack(bytes, "series", values) &&
+        (pack(values).size() != bytes.size() || (isExact && pack(values) != bytes)))
         std::abort();
 }
 

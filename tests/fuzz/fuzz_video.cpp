@@ -13,8 +13,8 @@ void show(const odo::Result<odo::Frame> &frame)
 
 } // namespace
 
-/// An imported video: its header and packets, the first frames, a part of one, and the last one by seeking. Pictures of a size
-/// that would only be slow are not decoded.
+/// An imported video: its header and packets, the first frames, a part of one, and the last one by seeking.
+/// Pictures of a size that would only be slow are not decoded.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t count)
 {
     using namespace odo;

@@ -25,7 +25,8 @@ Ids idsOf(Repositories &project)
         ids.robots.push_back(robot.id);
     for (const TrialName &trial : project.trials().names().value_or(std::vector<TrialName>())) {
         ids.trials.push_back(trial.id);
-        for (const RecordingRecord &recording : project.trials().recordings(trial.id).value_or(std::vector<RecordingRecord>()))
+        for (const RecordingRecord &recording :
+             project.trials().recordings(trial.id).value_or(std::vector<RecordingRecord>()))
             ids.recordings.push_back(recording.id);
     }
     return ids;
@@ -49,16 +50,20 @@ inline constexpr std::array<Reader<Repositories>, 27> readers = {
     [](Repositories &project, const Ids &) { static_cast<void>(project.cameras().all()); },
     [](Repositories &project, const Ids &ids) {
         for (const RecordId camera : ids.cameras)
-            static_cast<void>(project.cameras().currentIntrinsics(camera)), static_cast<void>(project.cameras().allIntrinsics(camera));
+            static_cast<void>(project.cameras().currentIntrinsics(camera)),
+                static_cast<void>(project.cameras().allIntrinsics(camera));
     },
     [](Repositories &project, const Ids &ids) {
         for (const RecordId camera : ids.cameras)
-            static_cast<void>(project.cameras().currentRegistration(camera)), static_cast<void>(project.cameras().allRegistrations(camera));
+            static_cast<void>(project.cameras().currentRegistration(camera)),
+                static_cast<void>(project.cameras().allRegistrations(camera));
     },
     [](Repositories &project, const Ids &) { static_cast<void>(project.analyses().trialsByRegistration()); },
     [](Repositories &project, const Ids &) { static_cast<void>(project.layouts().all()); },
     [](Repositories &project, const Ids &) { static_cast<void>(project.robots().all()); },
-    [](Repositories &project, const Ids &) { static_cast<void>(project.teams().all()), static_cast<void>(project.teams().classes()); },
+    [](Repositories &project, const Ids &) {
+        static_cast<void>(project.teams().all()), static_cast<void>(project.teams().classes());
+    },
     [](Repositories &project, const Ids &) { static_cast<void>(project.classes().all()); },
     [](Repositories &project, const Ids &) { static_cast<void>(project.tasks().all()); },
     [](Repositories &project, const Ids &) { static_cast<void>(project.tasks().uses()); },
@@ -70,8 +75,12 @@ inline constexpr std::array<Reader<Repositories>, 27> readers = {
             static_cast<void>(project.trials().page(&page->back(), 2));
     },
     [](Repositories &project, const Ids &) { static_cast<void>(project.trials().all()); },
-    [](Repositories &project, const Ids &) { static_cast<void>(project.trials().names()), static_cast<void>(project.trials().tags()); },
-    [](Repositories &project, const Ids &) { static_cast<void>(project.trials().unhashed()), static_cast<void>(project.trials().binnedBytes()); },
+    [](Repositories &project, const Ids &) {
+        static_cast<void>(project.trials().names()), static_cast<void>(project.trials().tags());
+    },
+    [](Repositories &project, const Ids &) {
+        static_cast<void>(project.trials().unhashed()), static_cast<void>(project.trials().binnedBytes());
+    },
     [](Repositories &project, const Ids &ids) {
         static_cast<void>(project.trials().allRecordings());
         for (const RecordId camera : ids.cameras)
@@ -86,16 +95,20 @@ inline constexpr std::array<Reader<Repositories>, 27> readers = {
             static_cast<void>(project.trials().rawTimes(recording));
     },
     [](Repositories &project, const Ids &ids) {
-        forEachPair(ids.recordings, ids.robots, [&](RecordId a, RecordId b) { return project.trials().currentObservations(a, b); });
+        forEachPair(ids.recordings, ids.robots,
+                    [&](RecordId a, RecordId b) { return project.trials().currentObservations(a, b); });
     },
     [](Repositories &project, const Ids &ids) {
-        forEachPair(ids.trials, ids.robots, [&](RecordId a, RecordId b) { return project.trials().overrules(a, b); });
+        forEachPair(ids.trials, ids.robots,
+                    [&](RecordId a, RecordId b) { return project.trials().overrules(a, b); });
     },
     [](Repositories &project, const Ids &ids) {
-        forEachPair(ids.trials, ids.robots, [&](RecordId a, RecordId b) { return project.trials().currentImportedTrack(a, b); });
+        forEachPair(ids.trials, ids.robots,
+                    [&](RecordId a, RecordId b) { return project.trials().currentImportedTrack(a, b); });
     },
     [](Repositories &project, const Ids &ids) {
-        forEachPair(ids.trials, ids.robots, [&](RecordId a, RecordId b) { return project.trials().truth(a, b); });
+        forEachPair(ids.trials, ids.robots,
+                    [&](RecordId a, RecordId b) { return project.trials().truth(a, b); });
     },
     [](Repositories &project, const Ids &ids) {
         for (const RecordId trial : ids.trials)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/geometry/support.h"
+#include "core/geometry/silhouette.h"
 
 #include "tests/support/registered_test.h"
 
@@ -13,10 +13,13 @@ using namespace odo;
 
 namespace {
 
-bool areNear(const std::vector<Eigen::Vector2d> &corners, const std::vector<Eigen::Vector2d> &expected, double toPx)
+bool areNear(const std::vector<Eigen::Vector2d> &corners, const std::vector<Eigen::Vector2d> &expected,
+             double toPx)
 {
-    return corners.size() == expected.size() && std::ranges::all_of(expected, [&](const Eigen::Vector2d &each) {
-               return std::ranges::any_of(corners, [&](const Eigen::Vector2d &corner) { return (corner - each).norm() < toPx; });
+    return corners.size() == expected.size() &&
+           std::ranges::all_of(expected, [&](const Eigen::Vector2d &each) {
+               return std::ranges::any_of(
+                   corners, [&](const Eigen::Vector2d &corner) { return (corner - each).norm() < toPx; });
            });
 }
 
@@ -43,7 +46,8 @@ private Q_SLOTS:
         QCOMPARE(support.size(), supportDirections);
         for (std::size_t k = 0; k < supportDirections; ++k) {
             const double angle = 2 * std::numbers::pi * double(k) / 24;
-            QVERIFY(std::abs(support[k] - (3 * std::abs(std::cos(angle)) + std::abs(std::sin(angle)))) < 1e-5);
+            QVERIFY(std::abs(support[k] - (3 * std::abs(std::cos(angle)) + std::abs(std::sin(angle)))) <
+                    1e-5);
         }
     }
 
@@ -70,7 +74,8 @@ private Q_SLOTS:
         QTest::addColumn<Points>("corners");
         QTest::addColumn<Eigen::Vector2d>("about");
         QTest::newRow("rectangle") << Points{{8, 3}, {8, 5}, {2, 5}, {2, 3}} << Eigen::Vector2d(5, 4);
-        QTest::newRow("rectangle, from outside of it") << Points{{8, 3}, {8, 5}, {2, 5}, {2, 3}} << Eigen::Vector2d(30, -7);
+        QTest::newRow("rectangle, from outside of it")
+            << Points{{8, 3}, {8, 5}, {2, 5}, {2, 3}} << Eigen::Vector2d(30, -7);
         QTest::newRow("diamond") << Points{{10, 0}, {0, 10}, {-10, 0}, {0, -10}} << Eigen::Vector2d(0, 1);
         QTest::newRow("triangle") << Points{{0, 0}, {12, 0}, {0, 12}} << Eigen::Vector2d(3, 3);
     }
@@ -114,7 +119,8 @@ private Q_SLOTS:
         crossed[0] = -20;
         QTest::newRow("none") << std::vector<float>();
         QTest::newRow("too few") << std::vector<float>(supportDirections - 1, 10);
-        QTest::newRow("all zero, as stored where none was measured") << std::vector<float>(supportDirections, 0);
+        QTest::newRow("all zero, as stored where none was measured")
+            << std::vector<float>(supportDirections, 0);
         QTest::newRow("a point") << supportOf({{1, 0}}, {0, 0});
         QTest::newRow("a line") << supportOf({{1, 2}, {9, 2}}, {0, 0});
         QTest::newRow("a hair") << supportOf({{0, 0}, {90, 0}, {90, 0.003}, {0, 0.003}}, {0, 0});

@@ -20,7 +20,8 @@ constexpr int lookMs = 150, looks = 3, longestMs = 8000;
 
 } // namespace
 
-PictureBook::PictureBook(QString folder) : m_folder(std::move(folder)), m_window(std::make_unique<MainWindow>())
+PictureBook::PictureBook(QString folder)
+    : m_folder(std::move(folder)), m_window(std::make_unique<MainWindow>())
 {
     fitWindow();
     m_window->show();
@@ -68,7 +69,8 @@ void PictureBook::takeWindow(const QString &name)
     take(*m_window, name);
 }
 
-void PictureBook::takeDialog(const char *command, const QString &name, const std::function<void(QDialog &)> &fill)
+void PictureBook::takeDialog(const char *command, const QString &name,
+                             const std::function<void(QDialog &)> &fill)
 {
     auto *action = m_window->findChild<QAction *>(QString::fromLatin1(command));
     QVERIFY2(action && action->isEnabled(), command);

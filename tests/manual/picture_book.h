@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/main_window/modes.h"
+#include "ui/main_window/project_pages.h"
 
 #include <QString>
 #include <QStringList>
@@ -18,8 +18,9 @@ class MainWindow;
 
 namespace odo::test {
 
-/// Takes the pictures of the manual: opens the main window on a project, brings pages and dialogs up as a person would, and writes
-/// what they show as PNG files into a folder, each under a name without its ending. GUI thread.
+/// Takes the pictures of the manual: opens the main window on a project, brings pages and dialogs up as a
+/// person would, and writes what they show as PNG files into a folder, each under a name without its ending.
+/// GUI thread.
 class PictureBook
 {
 public:
@@ -38,9 +39,10 @@ public:
     void write(const QImage &picture, const QString &name);
     /// Writes what the window shows.
     void takeWindow(const QString &name);
-    /// Calls a command by its object name, has the dialog that comes filled in, writes what it shows, and dismisses it. What fill
-    /// itself takes stands beside that; an empty name takes no further picture.
-    void takeDialog(const char *command, const QString &name, const std::function<void(QDialog &)> &fill = {});
+    /// Calls a command by its object name, has the dialog that comes filled in, writes what it shows, and
+    /// dismisses it. What fill itself takes stands beside that; an empty name takes no further picture.
+    void takeDialog(const char *command, const QString &name,
+                    const std::function<void(QDialog &)> &fill = {});
 
     const QStringList &names() const { return m_names; }
 

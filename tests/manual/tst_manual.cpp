@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The documents say what is so: their pictures and links are there, and the menus they name are in the window, with the keys they name.
+// The documents say what is so: their pictures and links are there, and the menus they name are in the
+// window, with the keys they name.
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/stored_example.h"
@@ -23,9 +24,13 @@ using namespace odo;
 
 namespace {
 
-constexpr qint64 largestPicture = 150'000, largestOfAll = 3'000'000; // bytes: a reader on a slow line waits for them
+// bytes: a reader on a slow line waits for them
+constexpr qint64 largestPicture = 150'000, largestOfAll = 3'000'000;
 
-QString source(const QString &path) { return QDir(qEnvironmentVariable("ODOGRAPH_SOURCE_DIR")).filePath(path); }
+QString source(const QString &path)
+{
+    return QDir(qEnvironmentVariable("ODOGRAPH_SOURCE_DIR")).filePath(path);
+}
 
 QString contentOf(const QString &file)
 {
@@ -42,18 +47,23 @@ QStringList filesOf(const QString &folder, const QString &pattern)
     return files;
 }
 
-QStringList chapters() { return filesOf(QStringLiteral("docs/manual"), QStringLiteral("*.md")); }
+QStringList chapters()
+{
+    return filesOf(QStringLiteral("docs/manual"), QStringLiteral("*.md"));
+}
 
 QStringList documents()
 {
-    return chapters() + filesOf(QStringLiteral("docs"), QStringLiteral("*.md")) + filesOf(QStringLiteral("."), QStringLiteral("*.md"));
+    return chapters() + filesOf(QStringLiteral("docs"), QStringLiteral("*.md")) +
+           filesOf(QStringLiteral("."), QStringLiteral("*.md"));
 }
 
 /// Without code, in which nothing is a link.
 QString proseOf(const QString &file)
 {
     static const QRegularExpression block(QStringLiteral("^(```.*?^```|(    |\\t)[^\\n]*)$"),
-                                          QRegularExpression::MultilineOption | QRegularExpression::DotMatchesEverythingOption);
+                                          QRegularExpression::MultilineOption |
+                                              QRegularExpression::DotMatchesEverythingOption);
     static const QRegularExpression span(QStringLiteral("`[^`\\n]*`"));
     return contentOf(file).remove(block).remove(span);
 }
@@ -72,11 +82,17 @@ QStringList anchorsOf(const QString &file)
 {
     QStringList anchors;
     for (const QString &heading : found(u'\n' + contentOf(file), "\\n#+ ([^\\n]+)"))
-        anchors << heading.toLower().remove(QRegularExpression(QStringLiteral("[^\\w\\- ]"), QRegularExpression::UseUnicodePropertiesOption)).replace(u' ', u'-');
+        anchors << heading.toLower()
+                       .remove(QRegularExpression(QStringLiteral("[^\\w\\- ]"),
+                                                  QRegularExpression::UseUnicodePropertiesOption))
+                       .replace(u' ', u'-');
     return anchors;
 }
 
-QString plain(QString words) { return words.remove(u'&').remove(u'…').simplified(); }
+QString plain(QString words)
+{
+    return words.remove(u'&').remove(u'…').simplified();
+}
 
 /// "File ▸ Report" and its keys, of all menus.
 void addCommands(const QMenu &menu, const QString &path, QHash<QString, QKeySequence> &commands)
@@ -189,8 +205,9 @@ void TestManual::menusAreInTheWindow()
     const QStringList help = filesOf(QStringLiteral("resources/help/en"), QStringLiteral("*.html"));
     for (const QString &file : documents() + help) {
         // *File ▸ Report…* (Ctrl+P), or <i>File → Report</i>
-        static const QRegularExpression path(QStringLiteral("(?:\\*|<i>)(\\w+\\s+(?:▸|→)[^*<]+)(?:\\*|</i>)(?:\\s+\\((\\w+(?:\\+\\w+)*)\\))?"),
-                                             QRegularExpression::UseUnicodePropertiesOption);
+        static const QRegularExpression path(
+            QStringLiteral("(?:\\*|<i>)(\\w+\\s+(?:▸|→)[^*<]+)(?:\\*|</i>)(?:\\s+\\((\\w+(?:\\+\\w+)*)\\))?"),
+            QRegularExpression::UseUnicodePropertiesOption);
         auto matches = path.globalMatch(help.contains(file) ? contentOf(file) : proseOf(file));
         while (matches.hasNext()) {
             const auto match = matches.next();
@@ -205,12 +222,14 @@ void TestManual::menusAreInTheWindow()
     QVERIFY(named > 50);
 }
 
-/// The first column of the tables of trouble.md and spikes.md: what stands between … must be in the sources, with %1 or %.0f for what varies.
+/// The first column of the tables of trouble.md and spikes.md: what stands between … must be in the sources,
+/// with %1 or %.0f for what varies.
 void TestManual::messagesAreThePrograms()
 {
     QString words;
     for (const char *part : {"core", "ui", "app"}) {
-        QDirIterator files(source(QString::fromLatin1(part)), {QStringLiteral("*.cpp")}, QDir::Files, QDirIterator::Subdirectories);
+        QDirIterator files(source(QString::fromLatin1(part)), {QStringLiteral("*.cpp")}, QDir::Files,
+                           QDirIterator::Subdirectories);
         while (files.hasNext())
             words += contentOf(files.next());
     }
@@ -218,7 +237,8 @@ void TestManual::messagesAreThePrograms()
     words.remove(broken);
     QStringList wrong;
     for (const char *chapter : {"docs/manual/trouble.md", "docs/manual/spikes.md"})
-        for (const QString &cell : found(contentOf(source(QString::fromLatin1(chapter))), "\\n\\| (\\*[^|]*\\*) \\|"))
+        for (const QString &cell :
+             found(contentOf(source(QString::fromLatin1(chapter))), "\\n\\| (\\*[^|]*\\*) \\|"))
             for (const QString &message : found(cell, "\\*([^*]+)\\*"))
                 for (const QString &piece : message.split(u'…', Qt::SkipEmptyParts))
                     if (!words.contains(piece.trimmed()))
@@ -229,11 +249,13 @@ void TestManual::messagesAreThePrograms()
 /// Words that docs/conventions.md has another word for.
 void TestManual::wordsAreOurs()
 {
-    static const QRegularExpression others(QStringLiteral("\\b(workspace|extrinsics|dataset|outliers?|experiments?)\\b"),
-                                           QRegularExpression::CaseInsensitiveOption);
+    static const QRegularExpression others(
+        QStringLiteral("\\b(workspace|extrinsics|dataset|outliers?|experiments?)\\b"),
+        QRegularExpression::CaseInsensitiveOption);
     for (const QString &chapter : chapters()) {
         const auto match = others.match(proseOf(chapter));
-        QVERIFY2(!match.hasMatch(), qPrintable(QFileInfo(chapter).fileName() + QStringLiteral(": ") + match.captured(0)));
+        QVERIFY2(!match.hasMatch(),
+                 qPrintable(QFileInfo(chapter).fileName() + QStringLiteral(": ") + match.captured(0)));
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Takes every picture of the manual anew, from the demo lesson, and holds their names against those of docs/manual/pictures. They go to the
-// folder ODOGRAPH_PICTURES, or to one that is thrown away. docs/manual/make_pictures runs this program.
+// Takes every picture of the manual anew, from the demo lesson, and holds their names against those of
+// docs/manual/pictures. They go to the folder ODOGRAPH_PICTURES, or to one that is thrown away.
+// docs/manual/make_pictures runs this program.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/demo.h"
@@ -10,25 +11,22 @@
 #include "tests/ui/support/found_widgets.h"
 #include "ui/history/history_page.h"
 #include "ui/main_window/appearance.h"
-#include "ui/main_window/import_trial_dialog.h"
+#include "ui/main_window/internal/import_trial_dialog.h"
+#include "ui/main_window/internal/window_bars.h"
 #include "ui/main_window/language.h"
 #include "ui/main_window/main_window.h"
-#include "ui/main_window/message_bar.h"
 #include "ui/main_window/preferences/preferences_dialog.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/timeline.h"
+#include "ui/record/internal/run_results.h"
 #include "ui/record/record_page.h"
-#include "ui/record/run_result_card.h"
 #include "ui/report/report_dialog.h"
-#include "ui/report/report_preview.h"
 #include "ui/review/review_page.h"
 #include "ui/testbed/check/moved_dialog.h"
-#include "ui/testbed/floor/floor_source_page.h"
 #include "ui/testbed/floor/floor_wizard.h"
-#include "ui/testbed/lens/lens_source_page.h"
 #include "ui/testbed/lens/lens_wizard.h"
-#include "ui/views/path_field.h"
-#include "ui/views/spike_list.h"
+#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/spike_list.h"
 
 #include <QAction>
 #include <QApplication>
@@ -51,7 +49,8 @@ namespace {
 
 constexpr int patienceMs = 120'000;
 constexpr Nanoseconds second{1'000'000'000};
-const QString eight = QStringLiteral("figure-eight"), reflections = QStringLiteral("figure-eight with reflections");
+const QString eight = QStringLiteral("figure-eight"),
+              reflections = QStringLiteral("figure-eight with reflections");
 
 /// Whatever day it is, the pictures show the trials of one day, and the cameras of the simulated testbed.
 void settleProject(const QString &project)
@@ -61,8 +60,10 @@ void settleProject(const QString &project)
     QVERIFY(database.open());
     const QDateTime first({2026, 11, 20}, {9, 15});
     QSqlQuery query(database);
-    for (const char *change : {"UPDATE trial SET date_ms = %1 + id * 360000", "UPDATE intrinsics SET made_ms = %1 + id * 60000",
-                               "UPDATE registration SET made_ms = %1 + id * 120000", "UPDATE camera SET device_uri = 'sim:' || name"}) {
+    for (const char *change :
+         {"UPDATE trial SET date_ms = %1 + id * 360000", "UPDATE intrinsics SET made_ms = %1 + id * 60000",
+          "UPDATE registration SET made_ms = %1 + id * 120000",
+          "UPDATE camera SET device_uri = 'sim:' || name"}) {
         QString words = QString::fromLatin1(change);
         if (words.contains(u'%'))
             words = words.arg(first.toMSecsSinceEpoch());
@@ -78,9 +79,10 @@ void copyFolder(const QString &from, const QString &to)
 /// Until the default button can be pressed; then it is.
 void pressNext(QDialog &dialog)
 {
-    QTRY_VERIFY_WITH_TIMEOUT(std::ranges::any_of(dialog.findChildren<QPushButton *>(),
-                                                 [](auto *button) { return button->isDefault() && button->isEnabled(); }),
-                             patienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        std::ranges::any_of(dialog.findChildren<QPushButton *>(),
+                            [](auto *button) { return button->isDefault() && button->isEnabled(); }),
+        patienceMs);
     press(dialog);
 }
 
@@ -127,7 +129,8 @@ void TestManualPictures::initTestCase()
     QApplication::setCursorFlashTime(0);
     m_folder.removeRecursively();
     QVERIFY(m_folder.mkpath(QStringLiteral(".")));
-    const QString told = qEnvironmentVariable("ODOGRAPH_PICTURES"), demo = qEnvironmentVariable("ODOGRAPH_DEMO");
+    const QString told = qEnvironmentVariable("ODOGRAPH_PICTURES"),
+                  demo = qEnvironmentVariable("ODOGRAPH_DEMO");
     if (demo.isEmpty()) {
         const auto made = makeDemo(path(QStringLiteral("lesson")).toStdString(), {});
         QVERIFY2(made, made ? "" : made.error().message().c_str());
@@ -184,8 +187,9 @@ void TestManualPictures::camerasAndMounting()
     m_book->takeDialog("chooseCameras", QStringLiteral("cameras"), [](QDialog &dialog) {
         QTRY_VERIFY_WITH_TIMEOUT(!says(dialog, "Looking for cameras"), patienceMs);
     });
-    m_book->takeDialog("doctor", QStringLiteral("doctor"),
-                       [](QDialog &dialog) { QTRY_VERIFY_WITH_TIMEOUT(button(dialog, "Look again")->isEnabled(), patienceMs); });
+    m_book->takeDialog("doctor", QStringLiteral("doctor"), [](QDialog &dialog) {
+        QTRY_VERIFY_WITH_TIMEOUT(button(dialog, "Look again")->isEnabled(), patienceMs);
+    });
 }
 
 void TestManualPictures::lensCalibration()
@@ -194,9 +198,10 @@ void TestManualPictures::lensCalibration()
     m_book->takeDialog("printTargets", QStringLiteral("targets"));
     m_book->takeDialog("calibrate", QString(), [this](QDialog &dialog) {
         dynamic_cast<LensWizard &>(dialog).source().addFiles(calibrationPictures(QStringLiteral("A")));
-        QTRY_VERIFY_WITH_TIMEOUT(std::ranges::none_of(dialog.findChildren<QComboBox *>(),
-                                                      [](auto *box) { return box->currentText().startsWith(u"Looking"); }),
-                                 patienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            std::ranges::none_of(dialog.findChildren<QComboBox *>(),
+                                 [](auto *box) { return box->currentText().startsWith(u"Looking"); }),
+            patienceMs);
         m_book->take(dialog, QStringLiteral("lens_source"));
         pressNext(dialog);
         QTRY_VERIFY_WITH_TIMEOUT(button(dialog, "Next >")->isEnabled(), patienceMs);
@@ -214,8 +219,8 @@ void TestManualPictures::floorRegistration()
     m_book->takeDialog("register", QString(), [this](QDialog &dialog) {
         const auto trial = m_book->window().workspace().project()->trials().find("circle");
         const auto recordings = m_book->window().workspace().project()->trials().recordings(trial->id);
-        dynamic_cast<FloorWizard &>(dialog).source().setFile(
-            QString::fromStdString(m_book->window().workspace().project()->resolve(recordings->front()).string()));
+        dynamic_cast<FloorWizard &>(dialog).source().setFile(QString::fromStdString(
+            m_book->window().workspace().project()->resolve(recordings->front()).string()));
         m_book->take(dialog, QStringLiteral("floor_source"));
         pressNext(dialog);
         QTRY_VERIFY_WITH_TIMEOUT(button(dialog, "Save")->isEnabled(), patienceMs);
@@ -225,7 +230,8 @@ void TestManualPictures::floorRegistration()
     m_book->takeDialog("checkMoved", QStringLiteral("moved"), [](QDialog &dialog) {
         QPushButton *check = button(dialog, "Check");
         QTest::mouseClick(check, Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(check->isEnabled() && !dynamic_cast<MovedDialog &>(dialog).isRunning(), patienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(check->isEnabled() && !dynamic_cast<MovedDialog &>(dialog).isRunning(),
+                                 patienceMs);
     });
     m_book->takeDialog("revisions", QStringLiteral("revisions"));
 }
@@ -235,7 +241,8 @@ void TestManualPictures::recording()
     m_book->showPage(WindowMode::Record);
     auto &page = *m_book->window().findChild<RecordPage *>();
     auto *team = named<QComboBox>(page, "Team that is up");
-    team->setCurrentIndex(team->findText(QStringLiteral("Otter"))); // its plain robot takes a busy machine the least
+    // its plain robot takes a busy machine the least
+    team->setCurrentIndex(team->findText(QStringLiteral("Otter")));
     for (QComboBox *box : page.findChildren<QComboBox *>())
         if (const int circle = box->findText(QStringLiteral("Circle")); circle >= 0)
             box->setCurrentIndex(circle);
@@ -244,10 +251,13 @@ void TestManualPictures::recording()
     m_book->takeWindow(QStringLiteral("record"));
     QTest::mouseClick(record, Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(page.isRecording(), patienceMs);
-    m_book->take(m_book->window(), QStringLiteral("record_running")); // never still: some seconds into the run
+    // never still: some seconds into the run
+    m_book->take(m_book->window(), QStringLiteral("record_running"));
     QTest::mouseClick(record, Qt::LeftButton);
     auto *result = page.findChild<RunResultCard *>();
-    QTRY_VERIFY_WITH_TIMEOUT(!page.isRecording() && result->words().startsWith(QStringLiteral("Final")) && record->isEnabled(), patienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!page.isRecording() && result->words().startsWith(QStringLiteral("Final")) &&
+                                 record->isEnabled(),
+                             patienceMs);
     m_book->take(m_book->window(), QStringLiteral("record_result"));
     waitFor(m_book->window());
 }
@@ -335,7 +345,8 @@ void TestManualPictures::reports()
     m_book->takeDialog("report", QStringLiteral("report"), [this](QDialog &dialog) {
         ReportPreview &preview = dynamic_cast<ReportDialog &>(dialog).preview();
         QTRY_VERIFY_WITH_TIMEOUT(preview.isSettled() && !preview.pictures().isEmpty(), patienceMs);
-        m_book->write(preview.pictures().front().scaledToWidth(900, Qt::SmoothTransformation), QStringLiteral("report_page"));
+        m_book->write(preview.pictures().front().scaledToWidth(900, Qt::SmoothTransformation),
+                      QStringLiteral("report_page"));
     });
     m_book->showPage(WindowMode::History);
     m_book->takeDialog("report", QStringLiteral("report_class"), [](QDialog &dialog) {
@@ -370,7 +381,9 @@ void TestManualPictures::trouble()
     broken.close();
     showTrial(eight, 3 * second);
     m_book->window().beginOpening(broken.fileName().toStdString());
-    QTRY_VERIFY_WITH_TIMEOUT(!m_book->window().workspace().isBusy() && m_book->window().findChild<MessageBar *>()->isVisible(), patienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_book->window().workspace().isBusy() &&
+                                 m_book->window().findChild<MessageBar *>()->isVisible(),
+                             patienceMs);
     m_book->take(*m_book->window().findChild<MessageBar *>(), QStringLiteral("message"));
     m_book->window().findChild<MessageBar *>()->hide(); // the next pictures are of something else
 }
@@ -382,7 +395,9 @@ void TestManualPictures::cleanupTestCase()
         return;
     QStringList made = m_book->names(), kept;
     made.sort();
-    for (const QString &file : QDir(qEnvironmentVariable("ODOGRAPH_SOURCE_DIR") + QStringLiteral("/docs/manual/pictures")).entryList({QStringLiteral("*.png")}))
+    for (const QString &file :
+         QDir(qEnvironmentVariable("ODOGRAPH_SOURCE_DIR") + QStringLiteral("/docs/manual/pictures"))
+             .entryList({QStringLiteral("*.png")}))
         kept << QFileInfo(file).completeBaseName();
     kept.sort();
     m_book.reset();

@@ -16,7 +16,8 @@ namespace {
 QSet<QString> filesIn(const QString &folder)
 {
     QSet<QString> files;
-    QDirIterator each(folder, QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot, QDirIterator::Subdirectories);
+    QDirIterator each(folder, QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot,
+                      QDirIterator::Subdirectories);
     while (each.hasNext())
         files << each.next().mid(folder.size());
     return files;
@@ -32,13 +33,16 @@ class TestDebianPackage : public QObject
 
     QByteArray field(const char *name) const
     {
-        return runCommand(QStringLiteral("dpkg-deb"), {QStringLiteral("-f"), m_package, QString::fromLatin1(name)}).out.trimmed();
+        return runCommand(QStringLiteral("dpkg-deb"),
+                          {QStringLiteral("-f"), m_package, QString::fromLatin1(name)})
+            .out.trimmed();
     }
     /// dpkg on a tree of our own; as root, or as what seems to be.
     ProgramRun dpkg(const QString &tree, const QStringList &arguments) const
     {
-        QStringList call{QStringLiteral("dpkg"), QStringLiteral("--root=") + tree, QStringLiteral("--force-depends"),
-                         QStringLiteral("--force-not-root"), QStringLiteral("--force-script-chrootless")};
+        QStringList call{QStringLiteral("dpkg"), QStringLiteral("--root=") + tree,
+                         QStringLiteral("--force-depends"), QStringLiteral("--force-not-root"),
+                         QStringLiteral("--force-script-chrootless")};
         call += arguments;
         if (geteuid() != 0)
             call.prepend(QStringLiteral("fakeroot"));
@@ -48,9 +52,11 @@ class TestDebianPackage : public QObject
 private Q_SLOTS:
     void initTestCase()
     {
-        const ProgramRun made = runCommand(QStringLiteral("cpack"), {QStringLiteral("--config"),
-                                                                     qEnvironmentVariable("ODOGRAPH_BUILD_DIR") + QStringLiteral("/CPackConfig.cmake"),
-                                                                     QStringLiteral("-B"), m_folder.path()});
+        const ProgramRun made =
+            runCommand(QStringLiteral("cpack"),
+                       {QStringLiteral("--config"),
+                        qEnvironmentVariable("ODOGRAPH_BUILD_DIR") + QStringLiteral("/CPackConfig.cmake"),
+                        QStringLiteral("-B"), m_folder.path()});
         QVERIFY2(made.exitStatus == 0, (made.out + made.err).constData());
         const QStringList packages = QDir(m_folder.path()).entryList({QStringLiteral("odograph_*.deb")});
         QCOMPARE(packages.size(), 1);
@@ -62,8 +68,8 @@ private Q_SLOTS:
         QCOMPARE(field("Package"), QByteArray("odograph"));
         QCOMPARE(field("Section"), QByteArray("science"));
         const QByteArray needed = field("Depends");
-        for (const char *library : {"libc6", "libqt6widgets6", "libqt6svg6", "libqt6sql6-sqlite", "libopencv-core",
-                                    "libavcodec", "libaravis", "fonts-dejavu-core"})
+        for (const char *library : {"libc6", "libqt6widgets6", "libqt6svg6", "libqt6sql6-sqlite",
+                                    "libopencv-core", "libavcodec", "libaravis", "fonts-dejavu-core"})
             QVERIFY2(needed.contains(library), (QByteArray(library) + " is not among " + needed).constData());
         QVERIFY2(!needed.contains("qt5") && !needed.contains("-dev"), needed.constData());
         QVERIFY(field("Recommends").contains("qt6-wayland"));
@@ -71,9 +77,10 @@ private Q_SLOTS:
 
     void lintianFindsNoError()
     {
-        const ProgramRun run = runCommand(QStringLiteral("lintian"), {QStringLiteral("--fail-on"), QStringLiteral("error"),
-                                                                      QStringLiteral("--allow-root"), QStringLiteral("--tag-display-limit"),
-                                                                      QStringLiteral("0"), m_package});
+        const ProgramRun run =
+            runCommand(QStringLiteral("lintian"),
+                       {QStringLiteral("--fail-on"), QStringLiteral("error"), QStringLiteral("--allow-root"),
+                        QStringLiteral("--tag-display-limit"), QStringLiteral("0"), m_package});
         QVERIFY2(run.exitStatus == 0, (run.out + run.err).constData());
     }
 
@@ -99,14 +106,17 @@ private Q_SLOTS:
         const QSet<QString> there = installed();
         for (const char *file :
              {"/usr/bin/odograph", "/usr/share/applications/org.odograph.Odograph.desktop",
-              "/usr/share/metainfo/org.odograph.Odograph.metainfo.xml", "/usr/share/mime/packages/org.odograph.Odograph.xml",
+              "/usr/share/metainfo/org.odograph.Odograph.metainfo.xml",
+              "/usr/share/mime/packages/org.odograph.Odograph.xml",
               "/usr/share/icons/hicolor/scalable/apps/org.odograph.Odograph.svg",
               "/usr/share/icons/hicolor/48x48/apps/org.odograph.Odograph.png",
-              "/usr/share/icons/hicolor/48x48/mimetypes/application-x-odograph-project.png", "/usr/lib/udev/rules.d/70-odograph-cameras.rules",
-              "/usr/share/man/man1/odograph.1.gz", "/usr/share/bash-completion/completions/odograph",
-              "/usr/share/doc/odograph/copyright", "/usr/share/doc/odograph/changelog.gz"})
+              "/usr/share/icons/hicolor/48x48/mimetypes/application-x-odograph-project.png",
+              "/usr/lib/udev/rules.d/70-odograph-cameras.rules", "/usr/share/man/man1/odograph.1.gz",
+              "/usr/share/bash-completion/completions/odograph", "/usr/share/doc/odograph/copyright",
+              "/usr/share/doc/odograph/changelog.gz"})
             QVERIFY2(there.contains(QString::fromLatin1(file)), file);
-        const ProgramRun version = runCommand(tree + QStringLiteral("/usr/bin/odograph"), {QStringLiteral("--version")});
+        const ProgramRun version =
+            runCommand(tree + QStringLiteral("/usr/bin/odograph"), {QStringLiteral("--version")});
         QCOMPARE(version.out.trimmed(), "odograph " + field("Version"));
         const ProgramRun out = dpkg(tree, {QStringLiteral("--purge"), QStringLiteral("odograph")});
         QVERIFY2(out.exitStatus == 0, (out.out + out.err).constData());

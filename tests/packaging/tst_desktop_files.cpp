@@ -22,7 +22,8 @@ using namespace odo::test;
 
 namespace {
 
-const QString appId = QStringLiteral("org.odograph.Odograph"), fileType = QStringLiteral("application/x-odograph-project");
+const QString appId = QStringLiteral("org.odograph.Odograph"),
+              fileType = QStringLiteral("application/x-odograph-project");
 
 QString source(const QString &path)
 {
@@ -38,7 +39,8 @@ QByteArray contentOf(const QString &file)
 QStringList commands()
 {
     QStringList names;
-    static const QRegularExpression line(QStringLiteral("^  ([a-z]+) +"), QRegularExpression::MultilineOption);
+    static const QRegularExpression line(QStringLiteral("^  ([a-z]+) +"),
+                                         QRegularExpression::MultilineOption);
     auto matches = line.globalMatch(QString::fromUtf8(runProgram({QStringLiteral("help")}).out));
     while (matches.hasNext())
         names << matches.next().captured(1);
@@ -52,7 +54,8 @@ double apart(const QImage &a, const QImage &b)
     for (int y = 0; y < a.height(); ++y)
         for (int x = 0; x < a.width(); ++x) {
             const QRgb p = a.pixel(x, y), q = b.pixel(x, y);
-            sum += std::abs(qAlpha(p) - qAlpha(q)) + std::abs(qRed(p) * qAlpha(p) - qRed(q) * qAlpha(q)) / 255.0 +
+            sum += std::abs(qAlpha(p) - qAlpha(q)) +
+                   std::abs(qRed(p) * qAlpha(p) - qRed(q) * qAlpha(q)) / 255.0 +
                    std::abs(qBlue(p) * qAlpha(p) - qBlue(q) * qAlpha(q)) / 255.0;
         }
     return sum / (3.0 * a.width() * a.height());
@@ -67,11 +70,15 @@ class TestDesktopFiles : public QObject
 
     QStringList completed(const QStringList &words)
     {
-        const QString script = QStringLiteral("source '%1'; PATH=\"$(dirname '%2')\":$PATH; COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); "
-                                              "_odograph; printf '%s\\n' \"${COMPREPLY[@]}\"")
-                                   .arg(source(QStringLiteral("packaging/desktop/odograph.bash")),
-                                        qEnvironmentVariable("ODOGRAPH_PROGRAM"));
-        const ProgramRun run = runCommand(QStringLiteral("bash"), QStringList{QStringLiteral("-c"), script, QStringLiteral("bash")} + words);
+        const QString script =
+            QStringLiteral(
+                "source '%1'; PATH=\"$(dirname '%2')\":$PATH; COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); "
+                "_odograph; printf '%s\\n' \"${COMPREPLY[@]}\"")
+                .arg(source(QStringLiteral("packaging/desktop/odograph.bash")),
+                     qEnvironmentVariable("ODOGRAPH_PROGRAM"));
+        const ProgramRun run =
+            runCommand(QStringLiteral("bash"),
+                       QStringList{QStringLiteral("-c"), script, QStringLiteral("bash")} + words);
         return QString::fromUtf8(run.out).split(u'\n', Qt::SkipEmptyParts);
     }
 
@@ -79,10 +86,12 @@ private Q_SLOTS:
     void theValidatorsAgree_data()
     {
         QTest::addColumn<QStringList>("call");
-        QTest::newRow("desktop entry") << QStringList{QStringLiteral("desktop-file-validate"), QStringLiteral("--no-hints"),
-                                                      source(QStringLiteral("packaging/desktop/%1.desktop").arg(appId))};
-        QTest::newRow("metadata") << QStringList{QStringLiteral("appstreamcli"), QStringLiteral("validate"), QStringLiteral("--no-net"),
-                                                 source(QStringLiteral("packaging/desktop/%1.metainfo.xml").arg(appId))};
+        QTest::newRow("desktop entry")
+            << QStringList{QStringLiteral("desktop-file-validate"), QStringLiteral("--no-hints"),
+                           source(QStringLiteral("packaging/desktop/%1.desktop").arg(appId))};
+        QTest::newRow("metadata") << QStringList{
+            QStringLiteral("appstreamcli"), QStringLiteral("validate"), QStringLiteral("--no-net"),
+            source(QStringLiteral("packaging/desktop/%1.metainfo.xml").arg(appId))};
     }
     void theValidatorsAgree()
     {
@@ -96,10 +105,13 @@ private Q_SLOTS:
         // As a desktop does, which has the descriptions of all types in one place.
         const QString types = m_folder.filePath(QStringLiteral("data/mime/packages"));
         QVERIFY(QDir().mkpath(types));
-        QVERIFY(QFile::copy(QStringLiteral("/usr/share/mime/packages/freedesktop.org.xml"), types + QStringLiteral("/freedesktop.org.xml")));
+        QVERIFY(QFile::copy(QStringLiteral("/usr/share/mime/packages/freedesktop.org.xml"),
+                            types + QStringLiteral("/freedesktop.org.xml")));
         qputenv("XDG_DATA_DIRS", "/no/such/folder");
-        qputenv("XDG_DATA_HOME", m_folder.filePath(QStringLiteral("data")).toUtf8()); // read by the first question below
-        QVERIFY(QFile::copy(source(QStringLiteral("packaging/desktop/%1.mime.xml").arg(appId)), types + QStringLiteral("/odograph.xml")));
+        // read by the first question below
+        qputenv("XDG_DATA_HOME", m_folder.filePath(QStringLiteral("data")).toUtf8());
+        QVERIFY(QFile::copy(source(QStringLiteral("packaging/desktop/%1.mime.xml").arg(appId)),
+                            types + QStringLiteral("/odograph.xml")));
         const std::filesystem::path file = m_folder.filePath(QStringLiteral("lesson.odo")).toStdString();
         QVERIFY(Project::create(file, "A lesson"));
         const QByteArray project = contentOf(QString::fromStdString(file.string()));
@@ -117,7 +129,8 @@ private Q_SLOTS:
         QCOMPARE(nameOf(QStringLiteral("a.odo"), project), fileType);
         QVERIFY(nameOf(QStringLiteral("other"), other) != fileType);
         QVERIFY(nameOf(QStringLiteral("text"), "Odog") != fileType);
-        QCOMPARE(QMimeDatabase().mimeTypeForName(fileType).iconName(), QStringLiteral("application-x-odograph-project"));
+        QCOMPARE(QMimeDatabase().mimeTypeForName(fileType).iconName(),
+                 QStringLiteral("application-x-odograph-project"));
         const QByteArray entry = contentOf(source(QStringLiteral("packaging/desktop/%1.desktop").arg(appId)));
         QVERIFY(entry.contains("\nMimeType=" + fileType.toUtf8() + ";\n"));
         QVERIFY(entry.contains("\nIcon=" + appId.toUtf8() + "\n"));
@@ -128,7 +141,8 @@ private Q_SLOTS:
         QTest::addColumn<QString>("drawing");
         QTest::addColumn<QString>("name");
         QTest::newRow("program") << QStringLiteral("resources/icons/odograph.svg") << appId;
-        QTest::newRow("project") << QStringLiteral("packaging/desktop/icons/application-x-odograph-project.svg")
+        QTest::newRow("project") << QStringLiteral(
+                                        "packaging/desktop/icons/application-x-odograph-project.svg")
                                  << QStringLiteral("application-x-odograph-project");
     }
     void iconsShowTheirDrawing()
@@ -138,7 +152,8 @@ private Q_SLOTS:
         QSvgRenderer renderer(source(drawing));
         QVERIFY(renderer.isValid());
         for (const int side : {16, 24, 32, 48, 64, 128, 256}) {
-            const QImage icon(source(QStringLiteral("packaging/desktop/icons/%1/%2.png").arg(side).arg(name)));
+            const QImage icon(
+                source(QStringLiteral("packaging/desktop/icons/%1/%2.png").arg(side).arg(name)));
             QCOMPARE(icon.size(), QSize(side, side));
             QImage drawn(icon.size(), QImage::Format_ARGB32);
             drawn.fill(Qt::transparent);
@@ -152,8 +167,9 @@ private Q_SLOTS:
 
     void theManualPageTellsEveryCommandAndOption()
     {
-        const ProgramRun made = runCommand(source(QStringLiteral("packaging/desktop/man_page.sh")),
-                                           {qEnvironmentVariable("ODOGRAPH_PROGRAM"), QStringLiteral("2026-11-22")});
+        const ProgramRun made =
+            runCommand(source(QStringLiteral("packaging/desktop/man_page.sh")),
+                       {qEnvironmentVariable("ODOGRAPH_PROGRAM"), QStringLiteral("2026-11-22")});
         QVERIFY2(made.exitStatus == 0, made.err.constData());
         const QString page = QString::fromUtf8(made.out);
         QVERIFY(page.startsWith(QStringLiteral(".TH ODOGRAPH 1 \"2026-11-22\" \"odograph ")));
@@ -174,32 +190,39 @@ private Q_SLOTS:
             }
         }
         // No line is taken for a request of roff that is none.
-        static const QRegularExpression known(QStringLiteral("^\\.(TH|SH|SS|B|I|BR|RB|RI|IR|TP|PP|br|nf|fi)( |$)"));
+        static const QRegularExpression known(
+            QStringLiteral("^\\.(TH|SH|SS|B|I|BR|RB|RI|IR|TP|PP|br|nf|fi)( |$)"));
         for (const QString &line : page.split(u'\n'))
             QVERIFY2(!line.startsWith(u'.') || known.match(line).hasMatch(), qPrintable(line));
     }
 
     void wordsAreCompleted()
     {
-        QCOMPARE(completed({QStringLiteral("odograph"), QStringLiteral("exp")}), QStringList{QStringLiteral("export")});
+        QCOMPARE(completed({QStringLiteral("odograph"), QStringLiteral("exp")}),
+                 QStringList{QStringLiteral("export")});
         const QStringList all = completed({QStringLiteral("odograph"), QString()});
         for (const QString &name : commands())
             QVERIFY2(all.contains(name), qPrintable(name));
         QCOMPARE(completed({QStringLiteral("odograph"), QStringLiteral("export"), QStringLiteral("--csv")}),
                  QStringList{QStringLiteral("--csv-style")});
-        QCOMPARE(completed({QStringLiteral("odograph"), QStringLiteral("export"), QStringLiteral("--format"), QStringLiteral("t")}),
+        QCOMPARE(completed({QStringLiteral("odograph"), QStringLiteral("export"), QStringLiteral("--format"),
+                            QStringLiteral("t")}),
                  (QStringList{QStringLiteral("tum"), QStringLiteral("tracker")}));
-        QVERIFY(completed({QStringLiteral("odograph"), QStringLiteral("nonsense"), QStringLiteral("--x")}).isEmpty());
+        QVERIFY(completed({QStringLiteral("odograph"), QStringLiteral("nonsense"), QStringLiteral("--x")})
+                    .isEmpty());
     }
 
     /// Who double-clicks a file sees no terminal: the window stays, and tells what is wrong with the project.
     void aDesktopIsToldInTheWindow()
     {
         const QString missing = m_folder.filePath(QStringLiteral("missing.odo"));
-        static const QRegularExpression line(QStringLiteral("^Exec=odograph (.*)$"), QRegularExpression::MultilineOption);
-        QStringList arguments = line.match(QString::fromUtf8(contentOf(source(QStringLiteral("packaging/desktop/%1.desktop").arg(appId)))))
-                                    .captured(1)
-                                    .split(u' ');
+        static const QRegularExpression line(QStringLiteral("^Exec=odograph (.*)$"),
+                                             QRegularExpression::MultilineOption);
+        QStringList arguments =
+            line.match(QString::fromUtf8(
+                           contentOf(source(QStringLiteral("packaging/desktop/%1.desktop").arg(appId)))))
+                .captured(1)
+                .split(u' ');
         QVERIFY(arguments.contains(QStringLiteral("%f")));
         arguments.replaceInStrings(QStringLiteral("%f"), missing);
         QProcess byDesktop;
@@ -208,7 +231,8 @@ private Q_SLOTS:
         const ProgramRun byHand = runProgram({missing});
         QCOMPARE(byHand.exitStatus, 1);
         QVERIFY2(byHand.err.contains("missing.odo': there is no such file; "), byHand.err.constData());
-        QVERIFY2(!byDesktop.waitForFinished(0), byDesktop.readAllStandardError().constData()); // though it was begun before
+        // though it was begun before
+        QVERIFY2(!byDesktop.waitForFinished(0), byDesktop.readAllStandardError().constData());
         byDesktop.kill();
         QVERIFY(byDesktop.waitForFinished());
     }
@@ -216,9 +240,11 @@ private Q_SLOTS:
     void theVersionIsTheSameEverywhere()
     {
         const QByteArray version = runProgram({QStringLiteral("--version")}).out.trimmed().split(' ').last();
-        QVERIFY(contentOf(source(QStringLiteral("packaging/desktop/%1.metainfo.xml").arg(appId))).contains("<release version=\"" + version + "\""));
+        QVERIFY(contentOf(source(QStringLiteral("packaging/desktop/%1.metainfo.xml").arg(appId)))
+                    .contains("<release version=\"" + version + "\""));
         QVERIFY(contentOf(source(QStringLiteral("CHANGELOG.md"))).contains("## [" + version + "]"));
-        QVERIFY(contentOf(source(QStringLiteral("packaging/flatpak/%1.yaml").arg(appId))).contains("\nid: " + appId.toUtf8() + "\n"));
+        QVERIFY(contentOf(source(QStringLiteral("packaging/flatpak/%1.yaml").arg(appId)))
+                    .contains("\nid: " + appId.toUtf8() + "\n"));
     }
 };
 

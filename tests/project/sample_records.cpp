@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sample_records.h"
+#include "tests/project/sample_records.h"
 
 namespace odo {
 
@@ -92,8 +92,11 @@ Task RecordSource::task()
     task.path = {{vector(), vector(), vector(), vector()}, true};
     task.limits = {positive(), positive()};
     const Eigen::Vector2d corner = vector();
-    task.zones = {{"поле", ZoneRule::StayInside, {corner, corner + Eigen::Vector2d(2, 0), corner + Eigen::Vector2d(0.1, 3)}},
-                  rectangularZone("Wand", ZoneRule::StayOutside, corner, corner + Eigen::Vector2d(-0.1, -0.7))};
+    task.zones = {
+        {"поле",
+         ZoneRule::StayInside,
+         {corner, corner + Eigen::Vector2d(2, 0), corner + Eigen::Vector2d(0.1, 3)}},
+        rectangularZone("Wand", ZoneRule::StayOutside, corner, corner + Eigen::Vector2d(-0.1, -0.7))};
     return task;
 }
 
@@ -166,7 +169,8 @@ AnalysisRecord RecordSource::analysis(RecordId trial, RecordId robot, std::size_
     profile.heightM = positive();
     profile.heightEstimated = true;
     profile.meanViewDisagreementM = positive();
-    record.doubtfulNames = {{Nanoseconds(5), Nanoseconds(9), {robot}, {}}, {Nanoseconds(20), Nanoseconds(20), {}, {}}};
+    record.doubtfulNames = {{Nanoseconds(5), Nanoseconds(9), {robot}, {}},
+                            {Nanoseconds(20), Nanoseconds(20), {}, {}}};
     return record;
 }
 
@@ -201,8 +205,8 @@ Result<FilledProject> fill(Project &project, RecordSource &source)
         const auto a = project.cameras().add({0, "A", "v4l2:/dev/video0"});
         const auto b = project.cameras().add({0, "Б", ""});
         const auto layout = project.layouts().add(source.layout("hall"));
-        const auto robot =
-            project.robots().add({0, "red", RgbColour{0xd7, 0x23, 0x28}, RobotRecord::Height::Told, 0.06, {}, {}});
+        const auto robot = project.robots().add(
+            {0, "red", RgbColour{0xd7, 0x23, 0x28}, RobotRecord::Height::Told, 0.06, {}, {}});
         const auto team = project.teams().add({0, "Los Niños", "8b"});
         const auto task = project.tasks().add({0, "line", source.task()});
         const auto intrinsics = project.cameras().addIntrinsics(source.calibration(a->id));

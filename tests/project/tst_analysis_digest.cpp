@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is changed by hand in a project is found: by the digests of its analyses, and by computing its metrics again.
-#include "core/project/connection.h"
+// What is changed by hand in a project is found: by the digests of its analyses, and by computing its metrics
+// again.
+#include "core/project/internal/connection.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/trajectory/imported_track.h"
@@ -27,8 +28,10 @@ class TestAnalysisDigest : public QObject
     void byHand(const QString &sql) const
     {
         const auto connection = ProjectConnection::open(m_file, DatabaseAccess::ReadWrite);
-        for (const char *trigger : {"observation_chunk_kept_on_update", "imported_track_chunk_kept_on_update"})
-            QVERIFY((*connection)->execute(QStringLiteral("DROP TRIGGER IF EXISTS %1").arg(QLatin1String(trigger))));
+        for (const char *trigger :
+             {"observation_chunk_kept_on_update", "imported_track_chunk_kept_on_update"})
+            QVERIFY((*connection)
+                        ->execute(QStringLiteral("DROP TRIGGER IF EXISTS %1").arg(QLatin1String(trigger))));
         const auto done = (*connection)->execute(sql);
         QVERIFY2(done, done ? "" : done.error().message().c_str());
     }
@@ -51,9 +54,11 @@ class TestAnalysisDigest : public QObject
         std::vector<ImportedPosition> track;
         for (std::size_t i = 0; i < positions; ++i) {
             const double t = double(i) / 50;
-            track.push_back({fromSeconds(t), Eigen::Vector2d(0.5 * std::cos(2 * t), 0.5 * std::sin(2 * t)), {}});
+            track.push_back(
+                {fromSeconds(t), Eigen::Vector2d(0.5 * std::cos(2 * t), 0.5 * std::sin(2 * t)), {}});
         }
-        ImportedTrack source{0, m_filled.robot, {}, "lap.csv", "00ff", 9, "csv", "metres", samplesOfImported(track, 0.001)};
+        ImportedTrack source{
+            0, m_filled.robot, {}, "lap.csv", "00ff", 9, "csv", "metres", samplesOfImported(track, 0.001)};
         AnalysisRecord analysis;
         analysis.robot = m_filled.robot;
         analysis.softwareVersion = ODOGRAPH_VERSION;
@@ -72,7 +77,8 @@ class TestAnalysisDigest : public QObject
 private Q_SLOTS:
     void init()
     {
-        m_file = m_folder.filePath(QStringLiteral("%1.odo").arg(QLatin1String(QTest::currentTestFunction()))).toStdString();
+        m_file = m_folder.filePath(QStringLiteral("%1.odo").arg(QLatin1String(QTest::currentTestFunction())))
+                     .toStdString();
         std::filesystem::remove(m_file);
         m_project = *Project::create(m_file, "digests");
         RecordSource source(7);
@@ -94,15 +100,19 @@ private Q_SLOTS:
         QTest::addColumn<QString>("sql");
         QTest::addColumn<QString>("problem");
         QTest::addColumn<bool>("isShown"); // wherever the analysis is
-        const QString results = QStringLiteral("the metrics, spikes or settings of robot 'red' are not those that its analysis gave");
-        const QString positions = QStringLiteral("the positions of robot 'red' are not those that its analysis gave");
+        const QString results = QStringLiteral(
+            "the metrics, spikes or settings of robot 'red' are not those that its analysis gave");
+        const QString positions =
+            QStringLiteral("the positions of robot 'red' are not those that its analysis gave");
         const QString since = QStringLiteral(" changed since robot 'red' was analysed");
         const QString byte = QStringLiteral("=CAST(substr(%1,1,40)||x'5a'||substr(%1,42) AS BLOB)");
         const auto row = [](const char *name, const QString &sql, const QString &problem, bool isShown) {
             QTest::newRow(name) << sql << problem << isShown;
         };
-        row("metric", QStringLiteral("UPDATE metric SET value=value*0.5 WHERE name='duration'"), results, true);
-        row("its sigma", QStringLiteral("UPDATE metric SET sigma=0.001 WHERE name='max_speed'"), results, true);
+        row("metric", QStringLiteral("UPDATE metric SET value=value*0.5 WHERE name='duration'"), results,
+            true);
+        row("its sigma", QStringLiteral("UPDATE metric SET sigma=0.001 WHERE name='max_speed'"), results,
+            true);
         row("metric removed", QStringLiteral("DELETE FROM metric WHERE name='duration'"), results, true);
         row("spike", QStringLiteral("DELETE FROM spike"), results, true);
         row("passage", QStringLiteral("UPDATE gate_passage SET time_ns=time_ns-1"), results, true);
@@ -110,26 +120,41 @@ private Q_SLOTS:
         row("whom it may be", QStringLiteral("DELETE FROM doubtful_name_robot"), results, true);
         row("all doubts", QStringLiteral("DELETE FROM doubtful_name"), results, true);
         row("setting", QStringLiteral("UPDATE analysis SET max_speed_m_s=1"), results, true);
-        row("sample", QStringLiteral("UPDATE analysis_chunk SET samples") + byte.arg(QStringLiteral("samples")), positions, true);
-        row("point", QStringLiteral("UPDATE analysis_chunk SET points") + byte.arg(QStringLiteral("points")), positions, true);
-        row("observation", QStringLiteral("UPDATE observation_chunk SET observations") + byte.arg(QStringLiteral("observations")),
+        row("sample",
+            QStringLiteral("UPDATE analysis_chunk SET samples") + byte.arg(QStringLiteral("samples")),
+            positions, true);
+        row("point", QStringLiteral("UPDATE analysis_chunk SET points") + byte.arg(QStringLiteral("points")),
+            positions, true);
+        row("observation",
+            QStringLiteral("UPDATE observation_chunk SET observations") +
+                byte.arg(QStringLiteral("observations")),
             QStringLiteral("the measurements have") + since, false);
         row("hash of a recording", QStringLiteral("UPDATE recording SET sha256='00aa' WHERE position=1"),
             QStringLiteral("the recordings or their synchronisation have") + since, false);
-        row("synchronisation", QStringLiteral("UPDATE recording SET start_offset_s=start_offset_s+0.01 WHERE position=1"),
+        row("synchronisation",
+            QStringLiteral("UPDATE recording SET start_offset_s=start_offset_s+0.01 WHERE position=1"),
             QStringLiteral("the recordings or their synchronisation have") + since, false);
-        row("registration", QStringLiteral("UPDATE registration SET x_m=x_m+0.01"), QStringLiteral("the registrations have") + since, false);
-        row("lens", QStringLiteral("UPDATE lens SET fx_px=fx_px+1"), QStringLiteral("the registrations have") + since, false);
-        row("manual override", QStringLiteral("INSERT INTO overrule SELECT DISTINCT trial_id, robot_id, 3, 1 FROM analysis"),
+        row("registration", QStringLiteral("UPDATE registration SET x_m=x_m+0.01"),
+            QStringLiteral("the registrations have") + since, false);
+        row("lens", QStringLiteral("UPDATE lens SET fx_px=fx_px+1"),
+            QStringLiteral("the registrations have") + since, false);
+        row("manual override",
+            QStringLiteral("INSERT INTO overrule SELECT DISTINCT trial_id, robot_id, 3, 1 FROM analysis"),
             QStringLiteral("the manual overrides have") + since, false);
-        row("manual override of the analysis", QStringLiteral("INSERT INTO analysis_overrule SELECT MAX(id), 3, 1 FROM analysis"),
+        row("manual override of the analysis",
+            QStringLiteral("INSERT INTO analysis_overrule SELECT MAX(id), 3, 1 FROM analysis"),
             QStringLiteral("the manual overrides have") + since, true);
-        row("synchronisation of the trial", QStringLiteral("UPDATE trial SET sync_offset_s=0.5, sync_method='motion'"),
+        row("synchronisation of the trial",
+            QStringLiteral("UPDATE trial SET sync_offset_s=0.5, sync_method='motion'"),
             QStringLiteral("its stored synchronisation is not that of its second view"), false);
-        const QString markers = QStringLiteral("the marker errors of registration 1 are not those that its markers give");
-        row("errors of markers in m", QStringLiteral("UPDATE registration_error SET error_m=0"), markers, false);
-        row("errors of markers in px", QStringLiteral("UPDATE registration_error SET error_px=0"), markers, false);
-        row("gate", QStringLiteral("UPDATE gate SET to_x_m=to_x_m+0.01"), QStringLiteral("the task has") + since, false);
+        const QString markers =
+            QStringLiteral("the marker errors of registration 1 are not those that its markers give");
+        row("errors of markers in m", QStringLiteral("UPDATE registration_error SET error_m=0"), markers,
+            false);
+        row("errors of markers in px", QStringLiteral("UPDATE registration_error SET error_px=0"), markers,
+            false);
+        row("gate", QStringLiteral("UPDATE gate SET to_x_m=to_x_m+0.01"),
+            QStringLiteral("the task has") + since, false);
     }
     void whatIsChangedByHandIsNamed()
     {
@@ -145,7 +170,8 @@ private Q_SLOTS:
         byHand(sql);
         for (const bool withHashes : {false, true})
             QVERIFY2(found(withHashes).contains(problem), qPrintable(found(withHashes).join(u'\n')));
-        if (!QByteArrayView(QTest::currentDataTag()).startsWith("sample") && !QByteArrayView(QTest::currentDataTag()).startsWith("point"))
+        if (!QByteArrayView(QTest::currentDataTag()).startsWith("sample") &&
+            !QByteArrayView(QTest::currentDataTag()).startsWith("point"))
             QCOMPARE(proof(m_filled.trial), isShown ? Proof::Broken : Proof::Holds);
     }
 
@@ -162,8 +188,13 @@ private Q_SLOTS:
             if (problem.where == "camera 'Б'")
                 problems << QString::fromStdString(problem.what);
         }
-        QCOMPARE(problems, QStringList({QStringLiteral("calibration 1 was chosen for it, which is camera 'A's; its newest own one is used"),
-                                        QStringLiteral("registration 1 was chosen for it, which is camera 'A's; its newest own one is used")}));
+        QCOMPARE(
+            problems,
+            QStringList(
+                {QStringLiteral(
+                     "calibration 1 was chosen for it, which is camera 'A's; its newest own one is used"),
+                 QStringLiteral(
+                     "registration 1 was chosen for it, which is camera 'A's; its newest own one is used")}));
     }
 
     void aChangedDurationIsNamed()
@@ -171,9 +202,11 @@ private Q_SLOTS:
         imported("lap", 200);
         QCOMPARE(found(false), QStringList());
         byHand(QStringLiteral("UPDATE trial SET duration_s=1"));
-        const QString end = QString::number(toSeconds(m_project->trials().recordings(m_filled.trial)->front().frameTimes.back()), 'f', 3);
-        const QStringList expected{QStringLiteral("its duration is stored as 1.000 s, its recordings last %1 s").arg(end),
-                                   QStringLiteral("its duration is stored as 1.000 s, its imported tracks last 3.980 s")};
+        const QString end = QString::number(
+            toSeconds(m_project->trials().recordings(m_filled.trial)->front().frameTimes.back()), 'f', 3);
+        const QStringList expected{
+            QStringLiteral("its duration is stored as 1.000 s, its recordings last %1 s").arg(end),
+            QStringLiteral("its duration is stored as 1.000 s, its imported tracks last 3.980 s")};
         QCOMPARE(found(false), expected);
     }
 
@@ -181,15 +214,21 @@ private Q_SLOTS:
     {
         imported("lap", 200);
         QCOMPARE(found(false), QStringList());
-        byHand(QStringLiteral("UPDATE metric SET value=value*0.5 WHERE name='duration' AND analysis_id=(SELECT MAX(id) FROM analysis)"));
-        const QString told = QStringLiteral("metric 'duration' of robot 'red' is stored as 1.990000 s, its positions give 3.980000 s");
+        byHand(QStringLiteral("UPDATE metric SET value=value*0.5 WHERE name='duration' AND "
+                              "analysis_id=(SELECT MAX(id) FROM analysis)"));
+        const QString told = QStringLiteral(
+            "metric 'duration' of robot 'red' is stored as 1.990000 s, its positions give 3.980000 s");
         QVERIFY2(found(false).contains(told), qPrintable(found(false).join(u'\n')));
         QVERIFY(found(true).contains(told));
-        byHand(QStringLiteral("UPDATE metric SET value=value*2 WHERE name='duration' AND analysis_id=(SELECT MAX(id) FROM analysis)"));
+        byHand(QStringLiteral("UPDATE metric SET value=value*2 WHERE name='duration' AND analysis_id=(SELECT "
+                              "MAX(id) FROM analysis)"));
         QCOMPARE(found(false), QStringList());
-        byHand(QStringLiteral("UPDATE metric SET sigma=0 WHERE name='path_length' AND analysis_id=(SELECT MAX(id) FROM analysis)"));
-        QVERIFY2(found(false).join(u'\n').contains(QStringLiteral("the standard deviation of metric 'path_length' of robot 'red' is stored as 0.000000 m, its")),
-                 qPrintable(found(false).join(u'\n')));
+        byHand(QStringLiteral("UPDATE metric SET sigma=0 WHERE name='path_length' AND analysis_id=(SELECT "
+                              "MAX(id) FROM analysis)"));
+        QVERIFY2(
+            found(false).join(u'\n').contains(QStringLiteral("the standard deviation of metric 'path_length' "
+                                                             "of robot 'red' is stored as 0.000000 m, its")),
+            qPrintable(found(false).join(u'\n')));
     }
 
     /// Who forges the digest as well is found by the metrics, in a check of everything.
@@ -200,19 +239,25 @@ private Q_SLOTS:
         forged.profile.metrics.front().value /= 2;
         QVERIFY(m_project->analyses().add(forged));
         QCOMPARE(found(false), QStringList());
-        QVERIFY(found(true).contains(QStringLiteral("metric 'duration' of robot 'red' is stored as 1.990000 s, its positions give 3.980000 s")));
+        QVERIFY(found(true).contains(QStringLiteral(
+            "metric 'duration' of robot 'red' is stored as 1.990000 s, its positions give 3.980000 s")));
     }
 
     /// Analyses of older formats: nothing proves them, but their metrics are compared with their positions.
     void withoutDigestsMetricsAreComputedAgain()
     {
         const RecordId trial = imported("lap", 200);
-        byHand(QStringLiteral("DELETE FROM analysis_digest WHERE analysis_id=(SELECT MAX(id) FROM analysis)"));
+        byHand(
+            QStringLiteral("DELETE FROM analysis_digest WHERE analysis_id=(SELECT MAX(id) FROM analysis)"));
         QCOMPARE(found(false), QStringList());
         QCOMPARE(proof(trial), Proof::NotKept);
         QCOMPARE(m_project->analyses().countWithoutDigest().value(), 1);
-        byHand(QStringLiteral("UPDATE metric SET value=2 WHERE name='duration' AND analysis_id=(SELECT MAX(id) FROM analysis)"));
-        QCOMPARE(found(false), QStringList(QStringLiteral("metric 'duration' of robot 'red' is stored as 2.000000 s, its positions give 3.980000 s")));
+        byHand(QStringLiteral("UPDATE metric SET value=2 WHERE name='duration' AND analysis_id=(SELECT "
+                              "MAX(id) FROM analysis)"));
+        QCOMPARE(
+            found(false),
+            QStringList(QStringLiteral(
+                "metric 'duration' of robot 'red' is stored as 2.000000 s, its positions give 3.980000 s")));
     }
 
     void aLostDigestIsNoProof()
@@ -221,14 +266,16 @@ private Q_SLOTS:
         QCOMPARE(proof(m_filled.trial), Proof::Broken);
     }
 
-    /// The hash of a recording is made after its trial was analysed, and nothing else may be slipped in with it.
+    /// The hash of a recording is made after its trial was analysed, and nothing else may be slipped in with
+    /// it.
     void aHashThatComesLaterIsRight()
     {
         QVERIFY(m_project->trials().setHash(m_filled.recordings[0], "00bb"));
         QCOMPARE(found(false), QStringList());
         byHand(QStringLiteral("UPDATE recording SET clock_rate=0.5"));
         QVERIFY(m_project->trials().setHash(m_filled.recordings[0], "00cc"));
-        QVERIFY(found(false).contains(QStringLiteral("the recordings or their synchronisation have changed since robot 'red' was analysed")));
+        QVERIFY(found(false).contains(QStringLiteral(
+            "the recordings or their synchronisation have changed since robot 'red' was analysed")));
     }
 
     /// Long series lie in chunks of less than a megabyte, and come back as they were.
@@ -236,15 +283,22 @@ private Q_SLOTS:
     {
         const RecordId trial = imported("long", 20'000);
         const auto connection = ProjectConnection::open(m_file, DatabaseAccess::ReadOnly);
-        for (const char *sql : {"SELECT MAX(LENGTH(samples)) FROM analysis_chunk", "SELECT MAX(LENGTH(points)) FROM analysis_chunk",
+        for (const char *sql : {"SELECT MAX(LENGTH(samples)) FROM analysis_chunk",
+                                "SELECT MAX(LENGTH(points)) FROM analysis_chunk",
                                 "SELECT MAX(LENGTH(samples)) FROM imported_track_chunk"})
             QVERIFY2((*connection)->number(QString::fromLatin1(sql)).value() < 1 << 20, sql);
-        QCOMPARE((*connection)->number(QStringLiteral("SELECT COUNT(*) FROM analysis_chunk WHERE analysis_id=(SELECT MAX(id) FROM analysis)")).value(), 3);
+        QCOMPARE(
+            (*connection)
+                ->number(QStringLiteral(
+                    "SELECT COUNT(*) FROM analysis_chunk WHERE analysis_id=(SELECT MAX(id) FROM analysis)"))
+                .value(),
+            3);
         const AnalysisRecord read = m_project->analyses().current(trial)->at(0);
         QCOMPARE(read.profile.samples.size(), std::size_t(20'000));
         QCOMPARE(read.profile.points.size(), std::size_t(20'000));
         QCOMPARE(read.profile.samples[19'999].time, fromSeconds(399.98));
-        QCOMPARE(m_project->trials().currentImportedTrack(trial, m_filled.robot)->value().samples.size(), std::size_t(20'000));
+        QCOMPARE(m_project->trials().currentImportedTrack(trial, m_filled.robot)->value().samples.size(),
+                 std::size_t(20'000));
         const auto source = m_project->trials().currentImportedTrack(trial, m_filled.robot, false).value();
         QVERIFY(source->samples.empty());
         QVERIFY(std::abs(source->noiseM - 0.001) < 1e-12);
@@ -255,7 +309,9 @@ private Q_SLOTS:
     {
         const RecordId trial = imported("lap", 200);
         AnalysisRecord analysis = m_project->analyses().current(trial)->at(0);
-        const SampleSource ending{analysis.profile.points.size(), [](std::size_t, std::size_t) -> Result<std::vector<Sample>> { return cancelled("import"); }};
+        const SampleSource ending{
+            analysis.profile.points.size(),
+            [](std::size_t, std::size_t) -> Result<std::vector<Sample>> { return cancelled("import"); }};
         QCOMPARE(m_project->analyses().add(analysis, ending).error().code, ErrorCode::Cancelled);
         QCOMPARE(m_project->analyses().current(trial)->at(0).id, analysis.id);
     }

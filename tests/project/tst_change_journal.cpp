@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/change_journal.h"
-#include "core/project/connection.h"
+#include "core/project/internal/change_journal.h"
+#include "core/project/internal/connection.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "sample_records.h"
+#include "tests/project/sample_records.h"
 #include "tests/support/registered_test.h"
 
 #include <QSqlDatabase>
@@ -316,7 +316,9 @@ void TestChangeJournal::whatIsNotedIsToldAndStays()
             return done;
         return failing();
     }));
-    QVERIFY(m_project->change("both", [&] { return m_project->note("inner", [&] { return m_project->trials().setTags(m_trial, {"a"}); }); }));
+    QVERIFY(m_project->change("both", [&] {
+        return m_project->note("inner", [&] { return m_project->trials().setTags(m_trial, {"a"}); });
+    }));
     QCOMPARE(m_project->changes()->size(), told + 1); // the inner one is a part
     QVERIFY(m_project->undo());
     QCOMPARE(rows(), before);

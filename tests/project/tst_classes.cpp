@@ -3,7 +3,7 @@
 #include "core/project/class_repository.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "sample_records.h"
+#include "tests/project/sample_records.h"
 #include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>

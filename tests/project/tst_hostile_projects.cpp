@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/connection.h"
-#include "core/project/own_media.h"
+#include "core/project/internal/connection.h"
+#include "core/project/internal/opening_check.h"
 #include "core/project/project.h"
-#include "core/project/step_limit.h"
-#include "sample_records.h"
+#include "core/project/project_media.h"
+#include "tests/project/sample_records.h"
 #include "tests/support/registered_test.h"
 
 #include <QFile>
@@ -14,7 +14,8 @@
 using namespace odo;
 using Access = Project::Access;
 
-/// A project may come from anyone: opening it runs nothing of it, takes no endless time, and touches no other file.
+/// A project may come from anyone: opening it runs nothing of it, takes no endless time, and touches no other
+/// file.
 class TestHostileProjects : public QObject
 {
     Q_OBJECT
@@ -31,20 +32,25 @@ private Q_SLOTS:
     void whatIsNotOursInTheSchemaIsRefused_data()
     {
         QTest::addColumn<QByteArray>("sql");
-        QTest::newRow("a trigger") << QByteArray("CREATE TRIGGER evil AFTER INSERT ON camera BEGIN DELETE FROM trial; END");
+        QTest::newRow("a trigger") << QByteArray(
+            "CREATE TRIGGER evil AFTER INSERT ON camera BEGIN DELETE FROM trial; END");
         QTest::newRow("a view") << QByteArray("CREATE VIEW evil AS SELECT 1");
         QTest::newRow("a view in place of a table")
-            << QByteArray("DROP TABLE trial_tag; CREATE VIEW trial_tag AS WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM n) "
+            << QByteArray("DROP TABLE trial_tag; CREATE VIEW trial_tag AS WITH RECURSIVE n(x) AS (SELECT 1 "
+                          "UNION ALL SELECT x + 1 FROM n) "
                           "SELECT x AS trial_id, x AS tag FROM n");
         QTest::newRow("a table") << QByteArray("CREATE TABLE evil (x)");
         QTest::newRow("a virtual table") << QByteArray("CREATE VIRTUAL TABLE evil USING rtree(a, b, c)");
         QTest::newRow("an index") << QByteArray("CREATE INDEX evil ON camera(device_uri)");
         QTest::newRow("an index of a formula") << QByteArray("CREATE INDEX evil ON camera(abs(id))");
-        QTest::newRow("a trigger of ours is missing") << QByteArray("DROP TRIGGER observation_chunk_kept_on_delete");
+        QTest::newRow("a trigger of ours is missing")
+            << QByteArray("DROP TRIGGER observation_chunk_kept_on_delete");
         // Looking through the rows evaluates checks: this one for longer than a test may take.
         QTest::newRow("an endless check")
-            << QByteArray("CREATE TABLE evil (x); WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM n LIMIT 5000) INSERT INTO evil SELECT x FROM n;"
-                          "PRAGMA writable_schema=ON; UPDATE sqlite_master SET sql='CREATE TABLE evil (x CHECK (length(replace(hex(zeroblob(30000000 + x)), ''0'', "
+            << QByteArray("CREATE TABLE evil (x); WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x + 1 "
+                          "FROM n LIMIT 5000) INSERT INTO evil SELECT x FROM n;"
+                          "PRAGMA writable_schema=ON; UPDATE sqlite_master SET sql='CREATE TABLE evil (x "
+                          "CHECK (length(replace(hex(zeroblob(30000000 + x)), ''0'', "
                           "''00'')) > x))' WHERE name='evil'");
     }
     void whatIsNotOursInTheSchemaIsRefused()
@@ -54,8 +60,10 @@ private Q_SLOTS:
         for (const Access access : {Access::ReadOnly, Access::ReadWrite}) {
             const auto opened = Project::open(m_file, access);
             QVERIFY(!opened);
-            QCOMPARE(opened.error().message(),
-                     std::string("project 'a.odo': its tables are not those of a project; restore it from a backup copy"));
+            QCOMPARE(
+                opened.error().message(),
+                std::string(
+                    "project 'a.odo': its tables are not those of a project; restore it from a backup copy"));
         }
     }
 
@@ -66,39 +74,47 @@ private Q_SLOTS:
         QCOMPARE(*(*connection)->number(QStringLiteral("PRAGMA trusted_schema")), 0);
         QCOMPARE(*(*connection)->number(QStringLiteral("PRAGMA cell_size_check")), 1);
         QCOMPARE(*(*connection)->number(QStringLiteral("PRAGMA mmap_size")), 0);
-        for (const int option : {SQLITE_DBCONFIG_TRUSTED_SCHEMA, SQLITE_DBCONFIG_ENABLE_VIEW, SQLITE_DBCONFIG_ENABLE_LOAD_EXTENSION, SQLITE_DBCONFIG_DQS_DDL}) {
+        for (const int option : {SQLITE_DBCONFIG_TRUSTED_SCHEMA, SQLITE_DBCONFIG_ENABLE_VIEW,
+                                 SQLITE_DBCONFIG_ENABLE_LOAD_EXTENSION, SQLITE_DBCONFIG_DQS_DDL}) {
             int isOn = 1;
             sqlite3_db_config((*connection)->handle(), option, -1, &isOn);
             QCOMPARE(isOn, 0);
         }
         // Defensive: the schema cannot be rewritten behind SQLite's back.
         QVERIFY((*connection)->execute(QStringLiteral("PRAGMA writable_schema=ON")));
-        QVERIFY(!(*connection)->execute(QStringLiteral("UPDATE sqlite_master SET sql='' WHERE name='camera'")));
+        QVERIFY(
+            !(*connection)->execute(QStringLiteral("UPDATE sqlite_master SET sql='' WHERE name='camera'")));
     }
 
     void whatIsLargerThanOursIsRefused()
     {
         const auto connection = ProjectConnection::open(m_file, DatabaseAccess::ReadWrite);
         const QString many = QStringLiteral("0+").repeated(200) + QStringLiteral("0");
-        for (const QString &sql : {QStringLiteral("SELECT ") + many, QStringLiteral("SELECT ") + QStringLiteral(" ").repeated(200'000) + QStringLiteral("1"),
-                                   QStringLiteral("SELECT max(") + QStringLiteral("0,").repeated(100) + QStringLiteral("0)"),
-                                   QStringLiteral("SELECT 1") + QStringLiteral(" UNION ALL SELECT 1").repeated(20)})
+        for (const QString &sql :
+             {QStringLiteral("SELECT ") + many,
+              QStringLiteral("SELECT ") + QStringLiteral(" ").repeated(200'000) + QStringLiteral("1"),
+              QStringLiteral("SELECT max(") + QStringLiteral("0,").repeated(100) + QStringLiteral("0)"),
+              QStringLiteral("SELECT 1") + QStringLiteral(" UNION ALL SELECT 1").repeated(20)})
             QVERIFY2(!(*connection)->number(sql), qPrintable(sql.left(40)));
         QVERIFY((*connection)->number(QStringLiteral("SELECT 0+0")));
     }
 
     void whatDoesNotEndIsStopped()
     {
-        const QString endless = QStringLiteral("WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM n) SELECT max(x) FROM n");
+        const QString endless = QStringLiteral(
+            "WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM n) SELECT max(x) FROM n");
         const auto connection = ProjectConnection::open(m_file, DatabaseAccess::ReadOnly);
         {
             const StepLimit limit(**connection, 1'000'000);
             const auto stopped = (*connection)->number(endless);
             QVERIFY(!stopped);
-            QCOMPARE(stopped.error().message(), std::string("project 'a.odo': the file is damaged; restore it from a backup copy"));
+            QCOMPARE(stopped.error().message(),
+                     std::string("project 'a.odo': the file is damaged; restore it from a backup copy"));
             QVERIFY(!(*connection)->number(endless)); // what was left is used up
         }
-        QCOMPARE(*(*connection)->number(QStringLiteral("WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM n LIMIT 1000000) SELECT max(x) FROM n")),
+        QCOMPARE(*(*connection)
+                      ->number(QStringLiteral("WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM "
+                                              "n LIMIT 1000000) SELECT max(x) FROM n")),
                  1'000'000); // no limit is left behind
     }
 
@@ -112,7 +128,9 @@ private Q_SLOTS:
         for (const Access access : {Access::ReadOnly, Access::ReadWrite}) {
             const auto opened = Project::open(m_file, access);
             QVERIFY(!opened);
-            QCOMPARE(opened.error().message(), "project '" + m_file.string() + "': the journal beside it names another file; copy it again from where it came, or restore a backup copy");
+            QCOMPARE(opened.error().message(), "project '" + m_file.string() +
+                                                   "': the journal beside it names another file; copy it "
+                                                   "again from where it came, or restore a backup copy");
         }
         QCOMPARE(content(own), QByteArray("somebody's own"));
         QVERIFY(content(m_file) == whole);
@@ -149,10 +167,13 @@ private Q_SLOTS:
         store(elsewhere / "out.mkv", "x");
         std::filesystem::create_symlink(elsewhere, media / "link");
         std::filesystem::create_symlink(elsewhere / "out.mkv", media / "out.mkv");
-        for (const auto &own : {media / "in.mkv", media / "gone.mkv", media / "calibration" / ".." / "in.mkv", media / "calibration" / "new" / "a.png"})
+        for (const auto &own : {media / "in.mkv", media / "gone.mkv", media / "calibration" / ".." / "in.mkv",
+                                media / "calibration" / "new" / "a.png"})
             QVERIFY2(isOwnMedia(own, media), own.c_str());
-        for (const auto &other : {elsewhere / "out.mkv", media / ".." / "elsewhere" / "out.mkv", media / "link" / "out.mkv", media / "link" / "gone.mkv",
-                                  media / "out.mkv", media, media / ".", path("a.media.mkv"), std::filesystem::path("/etc/passwd")})
+        for (const auto &other :
+             {elsewhere / "out.mkv", media / ".." / "elsewhere" / "out.mkv", media / "link" / "out.mkv",
+              media / "link" / "gone.mkv", media / "out.mkv", media, media / ".", path("a.media.mkv"),
+              std::filesystem::path("/etc/passwd")})
             QVERIFY2(!isOwnMedia(other, media), other.c_str());
         const std::filesystem::path linked = path("linked.media");
         std::filesystem::create_symlink(media, linked); // a media folder on another disk
@@ -160,7 +181,10 @@ private Q_SLOTS:
     }
 
 private:
-    std::filesystem::path path(const char *name) const { return std::filesystem::path(m_folder->path().toStdString()) / name; }
+    std::filesystem::path path(const char *name) const
+    {
+        return std::filesystem::path(m_folder->path().toStdString()) / name;
+    }
 
     /// What another program would write into the file.
     void run(const QByteArray &sql)
@@ -169,7 +193,8 @@ private:
         QCOMPARE(sqlite3_open(m_file.c_str(), &database), SQLITE_OK);
         sqlite3_db_config(database, SQLITE_DBCONFIG_DEFENSIVE, 0, nullptr);
         char *problem = nullptr;
-        QVERIFY2(sqlite3_exec(database, "PRAGMA journal_mode=DELETE", nullptr, nullptr, nullptr) == SQLITE_OK, "journal");
+        QVERIFY2(sqlite3_exec(database, "PRAGMA journal_mode=DELETE", nullptr, nullptr, nullptr) == SQLITE_OK,
+                 "journal");
         QVERIFY2(sqlite3_exec(database, sql.constData(), nullptr, nullptr, &problem) == SQLITE_OK, problem);
         sqlite3_close(database);
     }
@@ -188,7 +213,9 @@ private:
         for (const char c : name)
             sum += static_cast<std::uint32_t>(static_cast<int>(c));
         const QByteArray head = mark + number(0) + number(0) + number(1) + number(512) + number(4096);
-        return head.leftJustified(512, '\0') + number(0x40000000 / 4096 + 1) + QByteArray::fromStdString(name) + number(static_cast<std::uint32_t>(name.size())) + number(sum) + mark;
+        return head.leftJustified(512, '\0') + number(0x40000000 / 4096 + 1) +
+               QByteArray::fromStdString(name) + number(static_cast<std::uint32_t>(name.size())) +
+               number(sum) + mark;
     }
 
     static QByteArray content(const std::filesystem::path &file)

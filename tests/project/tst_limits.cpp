@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/limits.h"
 
-#include "core/project/connection.h"
+#include "core/project/internal/connection.h"
 #include "core/project/names.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -14,7 +14,8 @@
 using namespace odo;
 using Access = Project::Access;
 
-/// Texts, counts and numbers are bounded when they are entered, and when a file that another program wrote is read.
+/// Texts, counts and numbers are bounded when they are entered, and when a file that another program wrote is
+/// read.
 class TestLimits : public QObject
 {
     Q_OBJECT
@@ -25,7 +26,8 @@ private Q_SLOTS:
         m_file = m_folder->filePath(QStringLiteral("a.odo")).toStdString();
         m_project = std::move(*Project::create(m_file, "title"));
         QVERIFY(m_project->robots().add(robotNamed("red")));
-        QVERIFY(m_project->layouts().add({"floor", {{"O", {0, 0}}, {"U", {1, 0}}, {"V", {0, 1}}, {"W", {1, 1}}}}));
+        QVERIFY(m_project->layouts().add(
+            {"floor", {{"O", {0, 0}}, {"U", {1, 0}}, {"V", {0, 1}}, {"W", {1, 1}}}}));
         QVERIFY(m_project->cameras().add({0, "A", ""}));
         TrialRecord trial;
         trial.name = "run";
@@ -55,12 +57,17 @@ private Q_SLOTS:
         QVERIFY(m_project->setTitle(" Zoe\u0308 \u00a0"));
         QCOMPARE(m_project->title().value(), std::string("Zoë"));
         const std::pair<std::string, const char *> refused[] = {
-            {"", "it is empty"}, {" \u00a0 ", "it is empty"}, {"a\nb", "it holds a line break or another control character"},
-            {"T\x1b[31m", "it holds a line break or another control character"}, {"a\u202eb", "it holds an invisible character, U+202E"},
-            {std::string(201, 'x'), "it has 201 characters"}, {"\xff", "it is not valid UTF-8 text"}};
+            {"", "it is empty"},
+            {" \u00a0 ", "it is empty"},
+            {"a\nb", "it holds a line break or another control character"},
+            {"T\x1b[31m", "it holds a line break or another control character"},
+            {"a\u202eb", "it holds an invisible character, U+202E"},
+            {std::string(201, 'x'), "it has 201 characters"},
+            {"\xff", "it is not valid UTF-8 text"}};
         for (const auto &[title, why] : refused) {
             const auto set = m_project->setTitle(title);
-            const auto made = Project::create(m_folder->filePath(QStringLiteral("b.odo")).toStdString(), title);
+            const auto made =
+                Project::create(m_folder->filePath(QStringLiteral("b.odo")).toStdString(), title);
             QVERIFY(!set && !made);
             QCOMPARE(set.error().why, std::string(why));
             QCOMPARE(made.error().message(), set.error().message());
@@ -76,7 +83,9 @@ private Q_SLOTS:
             run(change);
             return m_project->title().value();
         };
-        QCOMPARE(shown("UPDATE property SET value='T'||char(27)||'[31m'||char(8238)||'itle'||char(10)||'next'"), std::string("T\\x1b[31m‹U+202E›itle\\x0anext"));
+        QCOMPARE(
+            shown("UPDATE property SET value='T'||char(27)||'[31m'||char(8238)||'itle'||char(10)||'next'"),
+            std::string("T\\x1b[31m‹U+202E›itle\\x0anext"));
         QCOMPARE(shown("UPDATE property SET value=hex(zeroblob(500))"), std::string(199, '0') + "…");
         QCOMPARE(shown("UPDATE property SET value='  '"), std::string("a")); // what the file is called
         QCOMPARE(shown("DELETE FROM property"), std::string("a"));
@@ -124,7 +133,8 @@ private Q_SLOTS:
         QCOMPARE(m_project->robots().find(robot->name)->id, RecordId(1));
         QCOMPARE(m_project->trials().get(1)->notes, std::string(maxTextLength - 1, '0') + "…");
         const auto refused = m_project->trials().setNotes(1, std::string(maxTextLength + 1, 'n'));
-        QCOMPARE(refused.error().message(), std::string("notes of a trial: it has 20001 characters; use at most 20000"));
+        QCOMPARE(refused.error().message(),
+                 std::string("notes of a trial: it has 20001 characters; use at most 20000"));
         std::string emoji;
         for (int i = 0; i < maxTextLength; ++i)
             emoji += "🤖";
@@ -141,25 +151,30 @@ private Q_SLOTS:
         QVERIFY(marker.pointInWorld == Eigen::Vector2d(1000, -1000));
         const auto robot = m_project->robots().get(1);
         QVERIFY(robot->heightM == 10.0 && robot->lengthM == 10.0 && robot->widthM == 0.0);
-        QVERIFY(m_project->trials().get(1)->durationS == largestNumber && m_project->trials().get(1)->syncScore == -largestNumber);
+        QVERIFY(m_project->trials().get(1)->durationS == largestNumber &&
+                m_project->trials().get(1)->syncScore == -largestNumber);
 
         TrialRecord trial = *m_project->trials().get(1);
         for (const double value : {1e13, -1e300, std::nan(""), double(INFINITY)}) {
             trial.syncOffsetS = value;
-            QCOMPARE(m_project->trials().setSync(trial).error().why, std::string("a value to be stored is not a number of ordinary size"));
+            QCOMPARE(m_project->trials().setSync(trial).error().why,
+                     std::string("a value to be stored is not a number of ordinary size"));
         }
         RobotRecord large = robotNamed("large");
         large.lengthM = 11;
-        QCOMPARE(m_project->robots().add(large).error().message(), std::string("robot 'large': it is larger than 10 m; check the numbers"));
+        QCOMPARE(m_project->robots().add(large).error().message(),
+                 std::string("robot 'large': it is larger than 10 m; check the numbers"));
     }
 
     void markersAreOnAFloor()
     {
         const auto far = m_project->layouts().add({"far", {{"O", {0, 0}}, {"U", {1e300, 0}}}});
-        QCOMPARE(far.error().message(), std::string("layout 'far': marker 'U' is not on a floor of 1 km; check the numbers"));
+        QCOMPARE(far.error().message(),
+                 std::string("layout 'far': marker 'U' is not on a floor of 1 km; check the numbers"));
         auto layout = *m_project->layouts().find("floor");
         layout.layout.markers[1].pointInWorld.x() = 1001;
-        QCOMPARE(m_project->layouts().setPlaces(layout).error().why, std::string("marker 'U' is not on a floor of 1 km"));
+        QCOMPARE(m_project->layouts().setPlaces(layout).error().why,
+                 std::string("marker 'U' is not on a floor of 1 km"));
         MarkerLayout many{"many", {}};
         for (std::size_t i = 0; i <= mostMarkers; ++i)
             many.markers.push_back({std::to_string(i), {0, 0}});
@@ -168,16 +183,20 @@ private Q_SLOTS:
 
     void countsAreBounded()
     {
-        const std::string count = "WITH RECURSIVE n(i) AS (SELECT 100 UNION ALL SELECT i + 1 FROM n WHERE i < 5000) ";
-        run(count + "INSERT INTO recording (trial_id, camera_id, position, path, sha256, bytes, width_px, height_px, frames_per_second, start_offset_s) "
+        const std::string count =
+            "WITH RECURSIVE n(i) AS (SELECT 100 UNION ALL SELECT i + 1 FROM n WHERE i < 5000) ";
+        run(count + "INSERT INTO recording (trial_id, camera_id, position, path, sha256, bytes, width_px, "
+                    "height_px, frames_per_second, start_offset_s) "
                     "SELECT 1, 1, i, 'a.mp4', '', 0, 2000000000, -7, 1e300, 0 FROM n");
         run(count + "INSERT INTO marker SELECT 1, i, 'M' || i, 0, 0 FROM n");
-        run(count + "INSERT INTO robot (name, colour, height_mode) SELECT 'r' || i, '#ff0000', height_mode FROM n, robot WHERE robot.id=1");
+        run(count + "INSERT INTO robot (name, colour, height_mode) SELECT 'r' || i, '#ff0000', height_mode "
+                    "FROM n, robot WHERE robot.id=1");
         run("INSERT INTO trial_robot SELECT 1, id, id FROM robot");
         run(count + "INSERT INTO trial_tag SELECT 1, 'tag' || i FROM n");
         const auto recordings = m_project->trials().recordings(1);
         QCOMPARE(recordings->size(), mostViews);
-        QVERIFY(recordings->front().framesPerSecond == highestFrameRate && recordings->front().widthPx == 32'000 && recordings->front().heightPx == 0);
+        QVERIFY(recordings->front().framesPerSecond == highestFrameRate &&
+                recordings->front().widthPx == 32'000 && recordings->front().heightPx == 0);
         const auto trial = m_project->trials().get(1);
         QCOMPARE(trial->viewCount, int(mostViews));
         QCOMPARE(trial->robots.size(), mostRobots);
@@ -189,8 +208,10 @@ private Q_SLOTS:
         RecordingRecord view;
         view.path = "a.mp4";
         view.camera = 1;
-        QCOMPARE(m_project->trials().add(other, std::vector(17, view)).error().message(), std::string("trial 'other': it has 17 views; use at most 16"));
-        QCOMPARE(m_project->trials().setRobots(1, std::vector<RecordId>(33, 1)).error().why, std::string("it has 33 robots"));
+        QCOMPARE(m_project->trials().add(other, std::vector(17, view)).error().message(),
+                 std::string("trial 'other': it has 17 views; use at most 16"));
+        QCOMPARE(m_project->trials().setRobots(1, std::vector<RecordId>(33, 1)).error().why,
+                 std::string("it has 33 robots"));
     }
 
     /// One task that cannot be used is one, not all.
@@ -207,7 +228,8 @@ private Q_SLOTS:
         QCOMPARE(m_project->tasks().find("bad")->name, std::string("bad"));
         const auto problems = m_project->check(false);
         QCOMPARE(problems->size(), std::size_t(1));
-        QCOMPARE(problems->front().what, std::string("task 'bad': gate 'start': its ends are not on a floor of 1 km"));
+        QCOMPARE(problems->front().what,
+                 std::string("task 'bad': gate 'start': its ends are not on a floor of 1 km"));
     }
 
     void checkNamesWhatIsBeyondLimits()
@@ -215,13 +237,16 @@ private Q_SLOTS:
         QVERIFY(m_project->check(false)->empty());
         run("UPDATE robot SET name=hex(zeroblob(2500000)), height_m=-1e300");
         run("UPDATE marker SET x_m=1e300");
-        run("WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 51) INSERT INTO trial_tag SELECT 1, 'tag' || i FROM n");
+        run("WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 51) INSERT INTO "
+            "trial_tag SELECT 1, 'tag' || i FROM n");
         const auto problems = m_project->check(false);
         std::vector<std::string> found;
         for (const ProjectProblem &problem : *problems)
             found.push_back(problem.what);
-        QCOMPARE(found, (std::vector<std::string>{"robot.name: texts of more than 200 characters: 1", "marker.x_m: numbers beyond 1000: 4",
-                                                  "robot.height_m: numbers beyond 10: 1", "trial_tag: more than 50 of one trial: 51"}));
+        QCOMPARE(found, (std::vector<std::string>{"robot.name: texts of more than 200 characters: 1",
+                                                  "marker.x_m: numbers beyond 1000: 4",
+                                                  "robot.height_m: numbers beyond 10: 1",
+                                                  "trial_tag: more than 50 of one trial: 51"}));
     }
 
 private:

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/held_file.h"
-#include "core/project/recording_lock.h"
-#include "core/project/window_lock.h"
+#include "core/project/project_locks.h"
 #include "tests/support/registered_test.h"
 
 #include <QFile>

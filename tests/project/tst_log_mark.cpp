@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The log that a killed program left, and which file it is applied to.
-#include "core/files/output_guard.h"
-#include "core/project/log_mark.h"
+#include "core/files/output_file.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/project/side_files.h"
+#include "core/project/write_ahead_log.h"
 #include "tests/support/registered_test.h"
 
 #include <QFile>
@@ -95,8 +94,10 @@ void editAndBeKilled(const fs::path &file, const Change &change)
     QVERIFY(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
 }
 
-const char *const foreign = "project 'lesson.odo': the log beside it ('lesson.odo-wal') belongs to another file or to another state of this one; "
-                            "move the log to another folder to open the file without it, or put the file back that the log belongs to";
+const char *const foreign = "project 'lesson.odo': the log beside it ('lesson.odo-wal') belongs to another "
+                            "file or to another state of this one; "
+                            "move the log to another folder to open the file without it, or put the file "
+                            "back that the log belongs to";
 
 } // namespace
 
@@ -216,7 +217,8 @@ private Q_SLOTS:
         editAndBeKilled(m_file, [this](Project &project) {
             add(project, "B");
             sqlite3 *reader = nullptr; // keeps what is added later from being written back
-            if (sqlite3_open(m_file.c_str(), &reader) != SQLITE_OK || sqlite3_exec(reader, "BEGIN; SELECT * FROM camera", nullptr, nullptr, nullptr) != SQLITE_OK)
+            if (sqlite3_open(m_file.c_str(), &reader) != SQLITE_OK ||
+                sqlite3_exec(reader, "BEGIN; SELECT * FROM camera", nullptr, nullptr, nullptr) != SQLITE_OK)
                 qFatal("not read");
             add(project, "C");
             if (project.writeBack())
@@ -268,7 +270,8 @@ private Q_SLOTS:
         editAndBeKilled(m_file, [](Project &project) { add(project, "B"); });
         const QByteArray log = bytesOf(logOf(m_file));
         fs::rename(folder() / "other.odo", m_file);
-        for (const qsizetype bytes : {qsizetype(0), qsizetype(31), qsizetype(32), qsizetype(32 + 24 + 100), qsizetype(32 + 24 + 4096)}) {
+        for (const qsizetype bytes : {qsizetype(0), qsizetype(31), qsizetype(32), qsizetype(32 + 24 + 100),
+                                      qsizetype(32 + 24 + 4096)}) {
             write(logOf(m_file), log.first(bytes));
             QVERIFY(checkLog(m_file));
         }
@@ -285,7 +288,8 @@ private Q_SLOTS:
         const auto change = [this](const char *sql) {
             const pid_t child = inChild([&] {
                 sqlite3 *database = nullptr;
-                if (sqlite3_open(m_file.c_str(), &database) == SQLITE_OK && sqlite3_exec(database, sql, nullptr, nullptr, nullptr) == SQLITE_OK)
+                if (sqlite3_open(m_file.c_str(), &database) == SQLITE_OK &&
+                    sqlite3_exec(database, sql, nullptr, nullptr, nullptr) == SQLITE_OK)
                     ::kill(getpid(), SIGKILL);
             });
             int status = 0;
@@ -294,7 +298,8 @@ private Q_SLOTS:
         };
         change("UPDATE camera SET name='B'");
         QCOMPARE(camerasOf(m_file), std::string("B"));
-        change("PRAGMA default_cache_size=0; PRAGMA wal_checkpoint; UPDATE camera SET name='C'; PRAGMA user_version=15");
+        change("PRAGMA default_cache_size=0; PRAGMA wal_checkpoint; UPDATE camera SET name='C'; PRAGMA "
+               "user_version=15");
         QCOMPARE(camerasOf(m_file), std::string("C"));
         change("UPDATE camera SET name='D'; PRAGMA user_version=15");
         QCOMPARE(camerasOf(m_file, Access::ReadOnly), std::string("D"));
@@ -310,7 +315,9 @@ private Q_SLOTS:
         for (const char *name : {"B", "C"})
             writers.push_back(inChild([&] {
                 for (int i = 0; i < each; ++i) {
-                    const pid_t killed = inChild([&] { static_cast<void>(Project::open(m_file, Access::ReadWrite).value()->writeBack()); });
+                    const pid_t killed = inChild([&] {
+                        static_cast<void>(Project::open(m_file, Access::ReadWrite).value()->writeBack());
+                    });
                     usleep(static_cast<useconds_t>(200 * i)); // at any moment
                     ::kill(killed, SIGKILL);
                     waitpid(killed, nullptr, 0);
@@ -353,8 +360,10 @@ private Q_SLOTS:
         QVERIFY(!refused);
         QCOMPARE(refused.error().code, ErrorCode::AlreadyExists);
         const std::string left = "new.odo" + suffix.toStdString();
-        QCOMPARE(refused.error().message(), "project '" + fresh.string() + "': its folder has '" + left +
-                                                "', the log or journal of another file of this name; choose another name, or move '" + left + "' to another folder first");
+        QCOMPARE(refused.error().message(),
+                 "project '" + fresh.string() + "': its folder has '" + left +
+                     "', the log or journal of another file of this name; choose another name, or move '" +
+                     left + "' to another folder first");
         QVERIFY(!fs::exists(fresh));
         QCOMPARE(bytesOf(side), QByteArray("left"));
 

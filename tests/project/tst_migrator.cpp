@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/connection.h"
-#include "core/project/migrator.h"
+#include "core/project/internal/connection.h"
+#include "core/project/internal/migrator.h"
 #include "tests/support/registered_test.h"
 
 #include <QDir>

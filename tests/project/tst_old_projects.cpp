@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Projects of every older format, as tests/data keeps them: opened, brought to the newest format, and nothing lost.
-#include "core/project/connection.h"
-#include "core/project/migrator.h"
+// Projects of every older format, as tests/data keeps them: opened, brought to the newest format, and nothing
+// lost.
+#include "core/project/internal/connection.h"
+#include "core/project/internal/migrator.h"
+#include "core/project/internal/schema.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/project/schema.h"
 #include "tests/support/registered_test.h"
 
 #include <QDir>
@@ -86,7 +87,9 @@ private Q_SLOTS:
         // Once brought up it is an ordinary project: no second backup, and it may be read alone.
         QVERIFY(Project::open(old, Access::ReadWrite).has_value());
         QVERIFY(Project::open(old, Access::ReadOnly).has_value());
-        QCOMPARE(QDir(m_folder.path()).entryList({QStringLiteral("beside %1*").arg(format)}, QDir::Files).size(), 2);
+        QCOMPARE(
+            QDir(m_folder.path()).entryList({QStringLiteral("beside %1*").arg(format)}, QDir::Files).size(),
+            2);
     }
 
     void readingBringsItUpToDate_data() { formats(); }
@@ -99,7 +102,8 @@ private Q_SLOTS:
         QCOMPARE((*opened)->title().value(), std::string("Year 9, autumn – Übung"));
         QCOMPARE((*opened)->setTitle("x").error().code, ErrorCode::ReadOnly);
         QCOMPARE(number(old, "PRAGMA user_version"), std::int64_t(projectMigrator().newestVersion()));
-        QCOMPARE(number(old.string() + ".bak-" + std::to_string(format), "PRAGMA user_version"), std::int64_t(format));
+        QCOMPARE(number(old.string() + ".bak-" + std::to_string(format), "PRAGMA user_version"),
+                 std::int64_t(format));
     }
 
     void whereItCannotBeWrittenReadingSaysWhy()
@@ -113,10 +117,12 @@ private Q_SLOTS:
         QProcess::execute(QStringLiteral("chattr"), {QStringLiteral("-i"), file});
         QVERIFY(!opened.has_value());
         QCOMPARE(opened.error().code, ErrorCode::ReadOnly);
-        QCOMPARE(opened.error().message(),
-                 std::string("project 'locked.odo': it has the older format 8 and must be brought up to date before it "
-                             "can be read, but it cannot be written to; copy it with its videos to a folder that you "
-                             "may write to, and open the copy"));
+        QCOMPARE(
+            opened.error().message(),
+            std::string(
+                "project 'locked.odo': it has the older format 8 and must be brought up to date before it "
+                "can be read, but it cannot be written to; copy it with its videos to a folder that you "
+                "may write to, and open the copy"));
         QCOMPARE(number(old, "PRAGMA user_version"), std::int64_t(8));
         QVERIFY(!std::filesystem::exists(old.string() + ".bak-8"));
     }
@@ -197,7 +203,8 @@ private:
         const auto observations = project.trials().currentObservations(recordings[0].id, 1).value();
         QCOMPARE(observations->observations.at(1).ellipse.centrePx.x(), 104.5);
         QCOMPARE(project.trials().truth(trial->id, 1).value()->positions.at(2).x(), 1.56);
-        QCOMPARE(project.trials().overrules(trial->id, 1)->size(), format >= 2 ? std::size_t(1) : std::size_t(0));
+        QCOMPARE(project.trials().overrules(trial->id, 1)->size(),
+                 format >= 2 ? std::size_t(1) : std::size_t(0));
         // A task was a name alone.
         const auto task = project.tasks().find("Figure eight");
         QVERIFY2(task.has_value(), task ? "" : task.error().message().c_str());
@@ -232,8 +239,10 @@ private:
         QVERIFY(analysis.profile.passages.empty());
         QVERIFY(analysis.doubtfulNames.empty()); // nobody noted it
         QVERIFY((analysis.registrations == std::vector<RecordId>{1, 0}));
-        // Of an analysis that is older nobody knows what it was made from. What later formats add changes no digest.
-        QCOMPARE(analysis.proof, format >= 13 ? AnalysisRecord::Proof::Holds : AnalysisRecord::Proof::NotKept);
+        // Of an analysis that is older nobody knows what it was made from. What later formats add changes no
+        // digest.
+        QCOMPARE(analysis.proof,
+                 format >= 13 ? AnalysisRecord::Proof::Holds : AnalysisRecord::Proof::NotKept);
         QCOMPARE(project.analyses().countWithoutDigest().value(), format >= 13 ? 0 : 1);
     }
 };

@@ -38,8 +38,10 @@ private Q_SLOTS:
     {
         const auto warning = placeWarning("/mnt/class/p.odo", mounts);
         QVERIFY(warning.has_value());
-        QCOMPARE(*warning, std::string("project 'p.odo': it lies on a network disk (nfs4), where a recording can stall and two "
-                                       "computers can damage it; keep it on a disk of this computer, and pack it to share it"));
+        QCOMPARE(*warning,
+                 std::string(
+                     "project 'p.odo': it lies on a network disk (nfs4), where a recording can stall and two "
+                     "computers can damage it; keep it on a disk of this computer, and pack it to share it"));
         QVERIFY(!placeWarning("/mnt/class/usb/p.odo", mounts));
     }
 
@@ -49,10 +51,14 @@ private Q_SLOTS:
         QTest::addColumn<QString>("mark");
         QTest::addColumn<QString>("program");
         QTest::newRow("none") << QStringLiteral("Lessons/9b") << QString() << QString();
-        QTest::newRow("Dropbox") << QStringLiteral("Dropbox/Lessons") << QString() << QStringLiteral("Dropbox");
-        QTest::newRow("by its mark") << QStringLiteral("mine/Lessons") << QStringLiteral("mine/.dropbox.cache") << QStringLiteral("Dropbox");
-        QTest::newRow("OneDrive") << QStringLiteral("OneDrive - School/9b") << QString() << QStringLiteral("OneDrive");
-        QTest::newRow("Syncthing") << QStringLiteral("shared") << QStringLiteral("shared/.stfolder") << QStringLiteral("Syncthing");
+        QTest::newRow("Dropbox") << QStringLiteral("Dropbox/Lessons") << QString()
+                                 << QStringLiteral("Dropbox");
+        QTest::newRow("by its mark") << QStringLiteral("mine/Lessons")
+                                     << QStringLiteral("mine/.dropbox.cache") << QStringLiteral("Dropbox");
+        QTest::newRow("OneDrive") << QStringLiteral("OneDrive - School/9b") << QString()
+                                  << QStringLiteral("OneDrive");
+        QTest::newRow("Syncthing") << QStringLiteral("shared") << QStringLiteral("shared/.stfolder")
+                                   << QStringLiteral("Syncthing");
     }
     void aSyncedFolderIsToldOf()
     {
@@ -63,14 +69,16 @@ private Q_SLOTS:
         QVERIFY(QDir(place.path()).mkpath(folder));
         if (!mark.isEmpty())
             QVERIFY(QDir(place.path()).mkpath(mark));
-        const auto warning = placeWarning(place.filePath(folder + QStringLiteral("/p.odo")).toStdString(), mounts);
+        const auto warning =
+            placeWarning(place.filePath(folder + QStringLiteral("/p.odo")).toStdString(), mounts);
         if (program.isEmpty()) {
             QVERIFY(!warning);
             return;
         }
         QVERIFY(warning.has_value());
         QCOMPARE(QString::fromStdString(*warning),
-                 QStringLiteral("project 'p.odo': it lies in a folder that %1 copies while it changes, so that a copy may have half "
+                 QStringLiteral("project 'p.odo': it lies in a folder that %1 copies while it changes, so "
+                                "that a copy may have half "
                                 "a change; keep it on a disk of this computer, and pack it to share it")
                      .arg(program));
     }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/connection.h"
+#include "core/project/internal/connection.h"
+#include "core/project/internal/schema.h"
+#include "core/project/internal/write_turn.h"
 #include "core/project/project.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
-#include "core/project/schema.h"
-#include "core/project/write_turn.h"
-#include "sample_records.h"
+#include "tests/project/sample_records.h"
 #include "tests/support/registered_test.h"
 
 #include <QDir>
@@ -50,7 +50,8 @@ private Q_SLOTS:
         const std::filesystem::path otherwise = folder() / "." / m_file.filename();
         std::future<bool> other;
         const auto isKeptWaiting = [&] {
-            other = std::async(std::launch::async, [turn = WriteTurn::of(otherwise)] { return HeldTurn(*turn).isHeld(); });
+            other = std::async(std::launch::async,
+                               [turn = WriteTurn::of(otherwise)] { return HeldTurn(*turn).isHeld(); });
             return other.wait_for(std::chrono::milliseconds(50)) == std::future_status::timeout;
         };
         QVERIFY((*project)->inTransaction([&]() -> Result<void> {
@@ -59,7 +60,8 @@ private Q_SLOTS:
             return isKeptWaiting() ? Result<void>() : fail(ErrorCode::Internal, "the turn", "it is free", "");
         }));
         QVERIFY(other.get());
-        QVERIFY(!(*project)->inTransaction([&]() -> Result<void> { return isKeptWaiting() ? cancelled("the change") : Result<void>(); }));
+        QVERIFY(!(*project)->inTransaction(
+            [&]() -> Result<void> { return isKeptWaiting() ? cancelled("the change") : Result<void>(); }));
         QVERIFY(other.get());
     }
 
@@ -109,16 +111,20 @@ private Q_SLOTS:
 
     void creatingTakesNoPlaceOfAnotherProject()
     {
-        const QString media = m_folder->filePath(QString::fromStdString(m_file.stem().string()) + QStringLiteral(".media"));
+        const QString media =
+            m_folder->filePath(QString::fromStdString(m_file.stem().string()) + QStringLiteral(".media"));
         QVERIFY(QDir().mkpath(media));
         for (const char *suffix : {"-wal", "-shm", "-journal", ".lock", ".bak-1", ".damaged"}) {
             const auto refused = Project::create(m_file.string() + suffix, "x");
             QCOMPARE(refused.error().code, ErrorCode::WrongCall);
-            QCOMPARE(refused.error().message(), "project '" + m_file.string() + suffix + "': it is the log, the lock or a backup of a project; choose another name");
+            QCOMPARE(refused.error().message(),
+                     "project '" + m_file.string() + suffix +
+                         "': it is the log, the lock or a backup of a project; choose another name");
         }
         const auto inside = Project::create(media.toStdString() + "/inner.odo", "x");
         QCOMPARE(inside.error().code, ErrorCode::WrongCall);
-        QCOMPARE(inside.error().why, "it is in the media folder of project '" + m_file.filename().string() + "'");
+        QCOMPARE(inside.error().why,
+                 "it is in the media folder of project '" + m_file.filename().string() + "'");
         QVERIFY(QDir(media).isEmpty());
         QCOMPARE(files().size(), 1);
     }
@@ -321,10 +327,14 @@ private Q_SLOTS:
         std::filesystem::remove(video);
         QVERIFY(problemsAt(**project, video, false).value(0).contains(QStringLiteral("is missing")));
         std::filesystem::create_directory(video); // what is there is told
-        QVERIFY(problemsAt(**project, video, false).value(0).contains(QStringLiteral("it is a folder or a device, not a file")));
+        QVERIFY(problemsAt(**project, video, false)
+                    .value(0)
+                    .contains(QStringLiteral("it is a folder or a device, not a file")));
         std::filesystem::remove(video);
         std::filesystem::create_symlink(video.filename(), video);
-        QVERIFY(problemsAt(**project, video, false).value(0).contains(QStringLiteral("it cannot be read (Too many levels of symbolic links)")));
+        QVERIFY(problemsAt(**project, video, false)
+                    .value(0)
+                    .contains(QStringLiteral("it cannot be read (Too many levels of symbolic links)")));
     }
 
     void checkFindsObservationsThatDoNotFit()

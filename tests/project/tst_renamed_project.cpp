@@ -38,7 +38,8 @@ private Q_SLOTS:
         QVERIFY((*project)->trials().isFileUsed("school.media/x.mkv").value());
         QVERIFY((*project)->trials().setBinned((*project)->trials().find("two")->id, true));
         QVERIFY((*project)->trials().removeForGood((*project)->trials().find("two")->id));
-        QVERIFY((*project)->trials().isFileUsed("school.media/x.mkv").value()); // by the first, as demo.media/x.mkv
+        // by the first, as demo.media/x.mkv
+        QVERIFY((*project)->trials().isFileUsed("school.media/x.mkv").value());
         QVERIFY(!(*project)->trials().isFileUsed("school.media/y.mkv").value());
     }
 
@@ -90,9 +91,12 @@ private Q_SLOTS:
     {
         std::filesystem::create_directories(path("school/demo.media"));
         std::filesystem::create_directory_symlink(path("school"), path("desk"));
-        QCOMPARE(storedPath(path("school/demo.odo"), path("desk/demo.media/x.mkv")), std::string("demo.media/x.mkv"));
-        QCOMPARE(storedPath(path("desk/demo.odo"), path("school/demo.media/x.mkv")), std::string("demo.media/x.mkv"));
-        QCOMPARE(storedPath(path("school/demo.odo"), path("demo.media/x.mkv")), path("demo.media/x.mkv").string());
+        QCOMPARE(storedPath(path("school/demo.odo"), path("desk/demo.media/x.mkv")),
+                 std::string("demo.media/x.mkv"));
+        QCOMPARE(storedPath(path("desk/demo.odo"), path("school/demo.media/x.mkv")),
+                 std::string("demo.media/x.mkv"));
+        QCOMPARE(storedPath(path("school/demo.odo"), path("demo.media/x.mkv")),
+                 path("demo.media/x.mkv").string());
     }
 
 private:
@@ -101,7 +105,10 @@ private:
         const std::filesystem::path folder = m_folder->path().toStdString();
         return name.empty() ? folder : folder / name;
     }
-    static RecordingRecord onlyRecording(Project &project) { return project.trials().allRecordings()->front(); }
+    static RecordingRecord onlyRecording(Project &project)
+    {
+        return project.trials().allRecordings()->front();
+    }
     static void addTrial(Project &project, const std::string &name, const std::string &file)
     {
         const auto known = project.cameras().find("A");

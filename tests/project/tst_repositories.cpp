@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "sample_records.h"
 #include "tests/project/same_records.h"
+#include "tests/project/sample_records.h"
 #include "tests/support/registered_test.h"
 
 #include <QTest>
@@ -80,7 +80,8 @@ private Q_SLOTS:
         QCOMPARE(first->softwareVersion, older->softwareVersion);
         QCOMPARE(first->board.rows, 6);
         QCOMPARE(first->board.dictionary, std::string("DICT_6X6_250"));
-        QVERIFY(same(first->board.squareM, older->board.squareM) && same(first->board.markerRatio, older->board.markerRatio));
+        QVERIFY(same(first->board.squareM, older->board.squareM) &&
+                same(first->board.markerRatio, older->board.markerRatio));
         QCOMPARE(first->files.size(), std::size_t(2));
         QCOMPARE(first->files[0].path, older->files[0].path);
         QCOMPARE(first->files[0].sha256, older->files[0].sha256);
@@ -162,7 +163,15 @@ private Q_SLOTS:
     void robotsRoundTrip()
     {
         using Height = RobotRecord::Height;
-        const RobotRecord wanted[] = {{0, "red", RgbColour{1, 2, 255}, Height::Told, m_source.positive() / 200, 0.26, 0.19, DrawingColour::SkyBlue, {0.02, -0.005}},
+        const RobotRecord wanted[] = {{0,
+                                       "red",
+                                       RgbColour{1, 2, 255},
+                                       Height::Told,
+                                       m_source.positive() / 200,
+                                       0.26,
+                                       0.19,
+                                       DrawingColour::SkyBlue,
+                                       {0.02, -0.005}},
                                       {0, "blau", RgbColour{0, 0, 0}, Height::Automatic, {}, {}, {}},
                                       {0, "機器人", RgbColour{9, 9, 9}, Height::Free, {}, 0.3, {}},
                                       {0, "of any look", {}, Height::Automatic, {}, {}, {}}};
@@ -185,9 +194,8 @@ private Q_SLOTS:
         }
         const auto unknown = (*m_project)->robots().find("x");
         QCOMPARE(unknown.error().code, ErrorCode::NotFound);
-        QCOMPARE(
-            unknown.error().message(),
-            std::string("robot 'x': there is no such robot in the project; it has 'red', 'blau', '機器人', 'of any look'"));
+        QCOMPARE(unknown.error().message(), std::string("robot 'x': there is no such robot in the project; "
+                                                        "it has 'red', 'blau', '機器人', 'of any look'"));
         QCOMPARE((*m_project)->robots().add(wanted[0]).error().code, ErrorCode::AlreadyExists);
     }
 
@@ -247,7 +255,8 @@ private Q_SLOTS:
         trial.durationS = 760e-9;
         trial.id = (*m_project)->trials().add(trial, {})->id;
         QVERIFY(!(*m_project)->trials().currentImportedTrack(trial.id, robot)->has_value());
-        ImportedTrack wanted{trial.id, robot, m_source.instant(), "lauf ß.txt", "00ff", 123, "tum", "metres, σ 5 mm", {}};
+        ImportedTrack wanted{trial.id,         robot, m_source.instant(), "lauf ß.txt", "00ff", 123, "tum",
+                             "metres, σ 5 mm", {}};
         for (int i = 0; i < 77; ++i) {
             Sample sample;
             sample.time = Nanoseconds(i * 10);
@@ -265,9 +274,11 @@ private Q_SLOTS:
         const auto read = (*m_project)->trials().currentImportedTrack(trial.id, robot);
         QVERIFY(read && *read);
         const ImportedTrack &track = **read;
-        QVERIFY(track.imported == wanted.imported && track.file == wanted.file && track.sha256 == wanted.sha256);
+        QVERIFY(track.imported == wanted.imported && track.file == wanted.file &&
+                track.sha256 == wanted.sha256);
         QVERIFY(track.bytes == wanted.bytes && track.format == "csv" && track.reading == wanted.reading);
-        QVERIFY(std::equal(track.samples.begin(), track.samples.end(), wanted.samples.begin(), wanted.samples.end(), sameSample));
+        QVERIFY(std::equal(track.samples.begin(), track.samples.end(), wanted.samples.begin(),
+                           wanted.samples.end(), sameSample));
         QCOMPARE((*m_project)->robots().remove(robot).error().why, std::string("it drove in a trial"));
         QVERIFY((*m_project)->check(false)->empty());
 
@@ -286,12 +297,20 @@ private Q_SLOTS:
         QTest::newRow("empty") << QByteArray("") << QStringLiteral("it is empty");
         QTest::newRow("blank") << QByteArray(" \xc2\xa0 ") << QStringLiteral("it is empty");
         QTest::newRow("line break") << QByteArray("a\nb") << QStringLiteral("control character");
-        QTest::newRow("line separator") << QByteArray("a\xe2\x80\xa8" "b") << QStringLiteral("control character");
+        QTest::newRow("line separator") << QByteArray("a\xe2\x80\xa8"
+                                                      "b")
+                                        << QStringLiteral("control character");
         QTest::newRow("nul") << QByteArray("a\0b", 3) << QStringLiteral("control character");
-        QTest::newRow("of no width") << QByteArray("\xe2\x80\x8b") << QStringLiteral("it holds an invisible character, U+200B");
-        QTest::newRow("soft hyphen") << QByteArray("Fal\xc2\xad" "con") << QStringLiteral("it holds an invisible character, U+00AD");
-        QTest::newRow("order turned around") << QByteArray("\xe2\x80\xae" "abc") << QStringLiteral("it holds an invisible character, U+202E");
-        QTest::newRow("only joiners") << QByteArray("\xe2\x80\x8d\xe2\x80\x8c") << QStringLiteral("it is empty");
+        QTest::newRow("of no width") << QByteArray("\xe2\x80\x8b")
+                                     << QStringLiteral("it holds an invisible character, U+200B");
+        QTest::newRow("soft hyphen") << QByteArray("Fal\xc2\xad"
+                                                   "con")
+                                     << QStringLiteral("it holds an invisible character, U+00AD");
+        QTest::newRow("order turned around") << QByteArray("\xe2\x80\xae"
+                                                           "abc")
+                                             << QStringLiteral("it holds an invisible character, U+202E");
+        QTest::newRow("only joiners")
+            << QByteArray("\xe2\x80\x8d\xe2\x80\x8c") << QStringLiteral("it is empty");
         QTest::newRow("too long") << QByteArray(201, 'x') << QStringLiteral("it has 201 characters");
         QTest::newRow("no UTF-8") << QByteArray("a\xff") << QStringLiteral("not valid UTF-8");
     }
@@ -319,8 +338,8 @@ private Q_SLOTS:
         for (int i = 0; i < 200; ++i)
             emoji += "🤖";
         for (const std::string &name :
-             {emoji, std::string("<img src=file:///etc/passwd>"), std::string("'; DROP TABLE robot;--"), std::string("می‌خواهم"),
-              std::string("👩‍🚀")}) {
+             {emoji, std::string("<img src=file:///etc/passwd>"), std::string("'; DROP TABLE robot;--"),
+              std::string("می‌خواهم"), std::string("👩‍🚀")}) {
             QVERIFY((*m_project)->robots().add(robotNamed(name)).has_value());
             QCOMPARE((*m_project)->robots().find(name)->name, name);
         }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One project file and several that use it: threads of this process, other processes, and whoever moves the file.
+// One project file and several that use it: threads of this process, other processes, and whoever moves the
+// file.
+#include "core/project/internal/write_turn.h"
 #include "core/project/project.h"
+#include "core/project/project_rescue.h"
 #include "core/project/repositories.h"
-#include "core/project/rescue.h"
-#include "core/project/sound_backup.h"
-#include "core/project/write_turn.h"
 #include "tests/support/program.h"
 #include "tests/support/registered_test.h"
 
@@ -34,11 +34,14 @@ private Q_SLOTS:
     }
     void cleanup() { m_project.reset(); }
 
-    /// A descriptor of the file that anybody of this process closes, but for SQLite, takes all locks of the process with it.
+    /// A descriptor of the file that anybody of this process closes, but for SQLite, takes all locks of the
+    /// process with it.
     void whateverIsLookedAtTheLocksStay_data()
     {
         QTest::addColumn<std::function<void()>>("look");
-        const auto row = [](const char *name, const std::function<void()> &look) { QTest::newRow(name) << look; };
+        const auto row = [](const char *name, const std::function<void()> &look) {
+            QTest::newRow(name) << look;
+        };
         row("opened to read", [this] { QVERIFY(Project::open(m_file, Access::ReadOnly)); });
         row("opened to write", [this] { QVERIFY(Project::open(m_file, Access::ReadWrite)); });
         row("opened again", [this] { QVERIFY(Project::openAgain(m_file, Access::ReadOnly)); });
@@ -77,7 +80,9 @@ private Q_SLOTS:
         const ProjectState own = m_project->state().value();
         QCOMPARE(own.byOthers, before.byOthers);
         QVERIFY(own.here != before.here);
-        QCOMPARE(runProgram({QStringLiteral("camera"), QStringLiteral("add"), name(), QStringLiteral("C")}).exitStatus, 0);
+        QCOMPARE(runProgram({QStringLiteral("camera"), QStringLiteral("add"), name(), QStringLiteral("C")})
+                     .exitStatus,
+                 0);
         const ProjectState after = m_project->state().value();
         QVERIFY(after.byOthers != own.byOthers);
         QCOMPARE(after.here, own.here);
@@ -131,7 +136,8 @@ private Q_SLOTS:
         const HeldTurn held(other);
         const auto refused = m_project->setTitle("late");
         QVERIFY(!refused);
-        QCOMPARE(refused.error().message(), std::string("project 'lesson.odo': another program is writing to it; close the other program and try again"));
+        QCOMPARE(refused.error().message(), std::string("project 'lesson.odo': another program is writing to "
+                                                        "it; close the other program and try again"));
         QCOMPARE(m_project->title().value(), std::string("lesson")); // reading goes on
     }
 
@@ -139,7 +145,8 @@ private Q_SLOTS:
     {
         QTest::addColumn<std::function<void()>>("take");
         QTest::newRow("deleted") << std::function<void()>([this] { fs::remove(m_file); });
-        QTest::newRow("renamed") << std::function<void()>([this] { fs::rename(m_file, folder() / "other.odo"); });
+        QTest::newRow("renamed") << std::function<void()>(
+            [this] { fs::rename(m_file, folder() / "other.odo"); });
         QTest::newRow("replaced") << std::function<void()>([this] {
             QVERIFY(Project::create(folder() / "new.odo", "another"));
             fs::rename(folder() / "new.odo", m_file);
@@ -153,7 +160,8 @@ private Q_SLOTS:
         QVERIFY(!m_project->isInPlace());
         const auto refused = m_project->setTitle("nowhere");
         QVERIFY(!refused);
-        QCOMPARE(refused.error().message(), std::string("project 'lesson.odo': its file was deleted, renamed or replaced while it was open; nothing was stored; "
+        QCOMPARE(refused.error().message(), std::string("project 'lesson.odo': its file was deleted, renamed "
+                                                        "or replaced while it was open; nothing was stored; "
                                                         "put it back in its place and try again"));
         m_project->keepWritingWhenLost();
         QVERIFY(m_project->setTitle("afterwards"));
@@ -192,7 +200,9 @@ private Q_SLOTS:
         const auto refused = m_project->setTitle("afterwards");
         QVERIFY(!refused);
         QCOMPARE(refused.error().message(),
-                 std::string("project 'lesson.odo': another program wrote over its file while it was open; nothing more was stored; open it again; if you were recording, look for stray files (odograph check --adopt)"));
+                 std::string("project 'lesson.odo': another program wrote over its file while it was open; "
+                             "nothing more was stored; open it again; if you were recording, look for stray "
+                             "files (odograph check --adopt)"));
         QVERIFY(m_project->isOverwritten());
         QVERIFY(!m_project->writeBack());
         m_project.reset();
@@ -246,7 +256,10 @@ private Q_SLOTS:
         if (child == 0) {
             const bool isNobody = setgid(65534) == 0 && setuid(65534) == 0;
             const auto other = Project::open(shared / "lesson.odo", Access::ReadOnly);
-            _exit(isNobody && other && (*other)->title().value_or("") == "in the log" && (*other)->file() == shared / "lesson.odo" ? 0 : 1);
+            _exit(isNobody && other && (*other)->title().value_or("") == "in the log" &&
+                          (*other)->file() == shared / "lesson.odo"
+                      ? 0
+                      : 1);
         }
         int status = 1;
         QCOMPARE(waitpid(child, &status, 0), child);
@@ -269,13 +282,16 @@ private:
     /// Whether /proc/locks has a lock of this process on the file.
     bool isLockedByThisProcess() const
     {
-        struct stat file{};
+        struct stat file
+        {
+        };
         if (stat(m_file.c_str(), &file) != 0)
             return false;
         QFile locks(QStringLiteral("/proc/locks"));
         if (!locks.open(QIODevice::ReadOnly))
             return false;
-        const QByteArray inode = ':' + QByteArray::number(qulonglong(file.st_ino)), process = QByteArray::number(getpid());
+        const QByteArray inode = ':' + QByteArray::number(qulonglong(file.st_ino)),
+                         process = QByteArray::number(getpid());
         for (const QByteArray &line : locks.readAll().split('\n')) {
             const QByteArrayList words = line.simplified().split(' ');
             if (words.size() > 5 && words[1] == "POSIX" && words[4] == process && words[5].endsWith(inode))

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Why SQLite could not write, where the system has told it.
+#include "core/project/internal/statement.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/project/sqlite_refusal.h"
 #include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
@@ -28,9 +28,13 @@ private Q_SLOTS:
         QTest::newRow("no space") << SQLITE_IOERR_WRITE << ENOSPC << full;
         QTest::newRow("quota") << SQLITE_IOERR_WRITE << EDQUOT << full;
         QTest::newRow("file limit") << SQLITE_IOERR_SHMSIZE << EFBIG << full;
-        QTest::newRow("read-only") << SQLITE_IOERR_WRITE << EROFS << QStringLiteral("the disk has become read-only, the change was not saved");
-        QTest::newRow("broken") << SQLITE_IOERR_WRITE << EIO << QStringLiteral("the disk reported an error, the change was not saved");
-        QTest::newRow("not known") << SQLITE_IOERR_WRITE << 0 << QStringLiteral("the disk reported an error, the change was not saved");
+        QTest::newRow("read-only") << SQLITE_IOERR_WRITE << EROFS
+                                   << QStringLiteral(
+                                          "the disk has become read-only, the change was not saved");
+        QTest::newRow("broken") << SQLITE_IOERR_WRITE << EIO
+                                << QStringLiteral("the disk reported an error, the change was not saved");
+        QTest::newRow("not known") << SQLITE_IOERR_WRITE << 0
+                                   << QStringLiteral("the disk reported an error, the change was not saved");
     }
     void reasonsOfTheSystem()
     {
@@ -70,7 +74,9 @@ private Q_SLOTS:
         }
         setrlimit(RLIMIT_FSIZE, &before);
         QVERIFY(error);
-        QVERIFY2(error->message().find("the disk is full, the change was not saved; make room on the disk and try again") != std::string::npos,
+        QVERIFY2(error->message().find(
+                     "the disk is full, the change was not saved; make room on the disk and try again") !=
+                     std::string::npos,
                  error->message().c_str());
     }
 };

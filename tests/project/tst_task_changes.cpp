@@ -2,7 +2,7 @@
 // Names, courses and scoring of tasks, and what depends on them.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "sample_records.h"
+#include "tests/project/sample_records.h"
 #include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>

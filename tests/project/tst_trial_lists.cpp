@@ -30,7 +30,8 @@ private Q_SLOTS:
     void init()
     {
         m_folder = std::make_unique<QTemporaryDir>();
-        m_project = std::move(*Project::create(m_folder->filePath(QStringLiteral("year.odo")).toStdString(), "Year"));
+        m_project =
+            std::move(*Project::create(m_folder->filePath(QStringLiteral("year.odo")).toStdString(), "Year"));
         RobotRecord robot;
         robot.name = "Red";
         m_red = m_project->robots().add(robot).value().id;
@@ -132,7 +133,8 @@ private Q_SLOTS:
         QVERIFY(m_project->trials().begin(begun, {}));
         const auto names = m_project->trials().names().value();
         QCOMPARE(names.size(), std::size_t(3));
-        QVERIFY(names[0].name == "now" && names[0].unfinished && !names[0].binned && names[0].teamName.empty());
+        QVERIFY(names[0].name == "now" && names[0].unfinished && !names[0].binned &&
+                names[0].teamName.empty());
         QVERIFY(names[1].name == "new" && !names[1].unfinished && names[1].teamName == "Anna and Ben");
         QVERIFY(names[2].name == "old" && names[2].binned && names[2].id == m_trials.at("old"));
     }
@@ -149,7 +151,8 @@ private Q_SLOTS:
         analyse("third", m_red, 3);
         const auto read = [&](int from, int to) {
             std::vector<std::tuple<RecordId, RecordId, double>> rows;
-            const auto figures = m_project->analyses().figures("max_speed", newYear + std::chrono::hours(from), newYear + std::chrono::hours(to));
+            const auto figures = m_project->analyses().figures(
+                "max_speed", newYear + std::chrono::hours(from), newYear + std::chrono::hours(to));
             for (const TrialFigure &figure : figures.value())
                 rows.emplace_back(figure.trial, figure.robot, figure.metric.value);
             return rows;
@@ -159,7 +162,8 @@ private Q_SLOTS:
         QCOMPARE(read(0, 2), (Rows{{first, m_red, 1.75}, {first, m_blue, 2.5}, {third, m_red, 3}}));
         QCOMPARE(read(1, 2), (Rows{{third, m_red, 3}}));
         QCOMPARE(read(1, 1), Rows());
-        QCOMPARE(m_project->analyses().metricNames().value(), (std::vector<std::string>{"duration", "max_speed"}));
+        QCOMPARE(m_project->analyses().metricNames().value(),
+                 (std::vector<std::string>{"duration", "max_speed"}));
     }
 
 private:

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stars, tags, archive and bin of trials, and removing them for good.
-#include "core/project/connection.h"
+#include "core/project/internal/connection.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "sample_records.h"
+#include "tests/project/sample_records.h"
 #include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
@@ -89,7 +89,8 @@ private Q_SLOTS:
         const auto connection = ProjectConnection::open(m_file, DatabaseAccess::ReadOnly);
         for (const char *table :
              {"observation_series", "observation_chunk", "raw_time_chunk", "frame_time_chunk", "recording",
-              "analysis", "analysis_chunk", "analysis_digest", "metric", "spike", "truth", "imported_track", "imported_track_chunk"}) {
+              "analysis", "analysis_chunk", "analysis_digest", "metric", "spike", "truth", "imported_track",
+              "imported_track_chunk"}) {
             const QString count = QStringLiteral("SELECT COUNT(*) FROM %1").arg(QLatin1String(table));
             QVERIFY2((*connection)->number(count).value() == 0, table);
         }
@@ -125,7 +126,8 @@ private Q_SLOTS:
         QVERIFY(teams.set(team));
         QVERIFY(!teams.find("Falcon"));
         QVERIFY(teams.find("Kestrel")->className == "9C" && teams.find("Kestrel")->pseudonym == "Team 4");
-        QCOMPARE(teams.classes().value(), (std::vector<std::string>{"8b", "9B", "9C"})); // the first is the sample's
+        // the first is the sample's
+        QCOMPARE(teams.classes().value(), (std::vector<std::string>{"8b", "9B", "9C"}));
         team.name = "Heron";
         QCOMPARE(teams.set(team).error().code, ErrorCode::AlreadyExists);
         QCOMPARE(teams.set({99, "Owl", "", ""}).error().code, ErrorCode::NotFound);

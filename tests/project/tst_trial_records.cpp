@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/geometry/support.h"
-#include "core/project/connection.h"
+#include "core/geometry/silhouette.h"
+#include "core/project/internal/connection.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "sample_records.h"
 #include "tests/project/same_records.h"
+#include "tests/project/sample_records.h"
 #include "tests/support/registered_test.h"
 
 #include <QTest>
@@ -252,7 +252,8 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < wanted.doubtfulNames.size(); ++i) {
             const DoubtfulName &is = read.doubtfulNames[i], &was = wanted.doubtfulNames[i];
             QVERIFY(is.from == was.from && is.to == was.to && is.others == was.others);
-            QCOMPARE(is.otherNames, was.others.empty() ? std::vector<std::string>() : std::vector<std::string>{"red"});
+            QCOMPARE(is.otherNames,
+                     was.others.empty() ? std::vector<std::string>() : std::vector<std::string>{"red"});
         }
         const auto cheap = (*m_project)->analyses().currentMetrics(filled->trial);
         QVERIFY(cheap && cheap->size() == 1 && cheap->front().profile.samples.empty());
@@ -264,11 +265,14 @@ private Q_SLOTS:
         const auto filled = fill(**m_project, m_source);
         const RecordId id = (*m_project)->analyses().current(filled->trial)->front().id;
         const auto connection = ProjectConnection::open((*m_project)->file(), DatabaseAccess::ReadWrite);
-        QVERIFY((*connection)->execute(QStringLiteral("UPDATE doubtful_name SET from_ns=9223372036854775807, to_ns=-9223372036854775807")));
+        QVERIFY((*connection)
+                    ->execute(QStringLiteral(
+                        "UPDATE doubtful_name SET from_ns=9223372036854775807, to_ns=-9223372036854775807")));
         const auto read = (*m_project)->analyses().doubtfulNames(id);
         QVERIFY(read && read->size() == 2);
         QVERIFY(read->front().from == Nanoseconds(0) && read->front().to > Nanoseconds(0));
-        QVERIFY(read->front().to - read->front().from > Nanoseconds(0)); // in order, and not too far apart for the difference
+        // in order, and not too far apart for the difference
+        QVERIFY(read->front().to - read->front().from > Nanoseconds(0));
         QVERIFY((*m_project)->analyses().doubtfulNames(id + 99)->empty());
     }
 
@@ -316,7 +320,8 @@ private Q_SLOTS:
         QVERIFY(filled.has_value());
         const auto said = [&] { return (*m_project)->trials().pointedOut(filled->trial).value(); };
         QVERIFY(said().empty());
-        const PointedOutRobot first{filled->robot, filled->recordings[0], 7, {1.0 / 3, 719}}, second{filled->robot, filled->recordings[1], 0, {0, 12.5}};
+        const PointedOutRobot first{filled->robot, filled->recordings[0], 7, {1.0 / 3, 719}},
+            second{filled->robot, filled->recordings[1], 0, {0, 12.5}};
         QVERIFY((*m_project)->trials().setPointedOut(filled->trial, {first, second}));
         m_project->reopen();
         QVERIFY((said() == std::vector<PointedOutRobot>{first, second}));

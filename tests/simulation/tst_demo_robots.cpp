@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/demo_robots.h"
+#include "core/simulation/demo_testbed.h"
 
 #include "tests/support/registered_test.h"
 
@@ -18,7 +18,8 @@ std::shared_ptr<const Motion> still()
 /// Whether the boxes that hold two parts share volume. Parts that touch do not.
 bool overlap(const RobotPart &a, const RobotPart &b)
 {
-    return ((a.lower().array() < b.upper().array() - 1e-9) && (b.lower().array() < a.upper().array() - 1e-9)).all();
+    return ((a.lower().array() < b.upper().array() - 1e-9) && (b.lower().array() < a.upper().array() - 1e-9))
+        .all();
 }
 
 } // namespace
@@ -60,14 +61,17 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < rover.parts.size(); ++i) {
             QVERIFY((rover.parts[i].sizeM.array() > 0).all() && rover.parts[i].lower().z() > -1e-9);
             for (std::size_t j = 0; j < i; ++j)
-                QVERIFY2(!overlap(rover.parts[i], rover.parts[j]), qPrintable(QStringLiteral("parts %1 and %2").arg(i).arg(j)));
+                QVERIFY2(!overlap(rover.parts[i], rover.parts[j]),
+                         qPrintable(QStringLiteral("parts %1 and %2").arg(i).arg(j)));
         }
     }
 
     void impossibleSizesAreKeptOnTheFloor()
     {
-        const SimulatedRobot huge = demoRobot("Huge", {{}, 10, 10, 10}, still()), tiny = demoRobot("Tiny", {demoRed, 1e-6, 1e-6, 1e-6}, still());
-        QVERIFY(std::abs(huge.lengthM - 0.5) < 1e-9 && std::abs(huge.widthM - 0.5) < 1e-9 && huge.heightM < 0.6);
+        const SimulatedRobot huge = demoRobot("Huge", {{}, 10, 10, 10}, still()),
+                             tiny = demoRobot("Tiny", {demoRed, 1e-6, 1e-6, 1e-6}, still());
+        QVERIFY(std::abs(huge.lengthM - 0.5) < 1e-9 && std::abs(huge.widthM - 0.5) < 1e-9 &&
+                huge.heightM < 0.6);
         QVERIFY(tiny.lengthM == 0.03 && tiny.widthM == 0.03 && tiny.heightM == 0.03);
     }
 
@@ -89,7 +93,8 @@ private Q_SLOTS:
             for (double time = 0; time < 6; time += 0.1)
                 for (std::size_t i = 0; i < robots.size(); ++i)
                     for (std::size_t j = 0; j < i; ++j)
-                        QVERIFY((robots[i].motion->at(time).position - robots[j].motion->at(time).position).norm() > std::hypot(0.26, 0.19));
+                        QVERIFY((robots[i].motion->at(time).position - robots[j].motion->at(time).position)
+                                    .norm() > std::hypot(0.26, 0.19));
         }
     }
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/geometry/support.h"
+#include "core/geometry/silhouette.h"
 #include "core/simulation/demo_testbed.h"
-#include "core/simulation/exposure.h"
+#include "core/simulation/internal/exposure.h"
 #include "core/simulation/renderer.h"
 #include "tests/support/registered_test.h"
 
@@ -58,8 +58,10 @@ std::vector<Eigen::Vector2d> cornersOf(const PaintedThing &thing)
     return corners;
 }
 
-/// Where a shutter that reads a row after the other sees the eight corners of a box: each where it is when its own row is read.
-std::vector<Eigen::Vector2d> rolledCorners(const SimulatedScene &scene, const SimulatedRobot &robot, double readoutS)
+/// Where a shutter that reads a row after the other sees the eight corners of a box: each where it is when
+/// its own row is read.
+std::vector<Eigen::Vector2d> rolledCorners(const SimulatedScene &scene, const SimulatedRobot &robot,
+                                           double readoutS)
 {
     const FloorView &view = scene.cameras[0].view;
     const int rows = view.camera().intrinsics().heightPx;
@@ -69,7 +71,8 @@ std::vector<Eigen::Vector2d> rolledCorners(const SimulatedScene &scene, const Si
             for (const double z : {0.0, robot.heightM}) {
                 Eigen::Vector2d pixel(0, (rows - 1) / 2.0);
                 for (int i = 0; i < 20; ++i) {
-                    const Eigen::Vector2d place = robot.motion->at(atS + readoutS * (pixel.y() / (rows - 1) - 0.5)).position;
+                    const Eigen::Vector2d place =
+                        robot.motion->at(atS + readoutS * (pixel.y() / (rows - 1) - 0.5)).position;
                     pixel = *view.pixelFromWorld({place.x() + x, place.y() + y, z});
                 }
                 corners.push_back(pixel);
@@ -96,7 +99,8 @@ bool samePieces(const std::vector<PaintedThing> &a, const std::vector<PaintedThi
         if (a[i].pieces.size() != b[i].pieces.size())
             return false;
         for (std::size_t k = 0; k < a[i].pieces.size(); ++k)
-            if (a[i].pieces[k].outline != b[i].pieces[k].outline || a[i].pieces[k].weight != b[i].pieces[k].weight)
+            if (a[i].pieces[k].outline != b[i].pieces[k].outline ||
+                a[i].pieces[k].weight != b[i].pieces[k].weight)
                 return false;
     }
     return true;
@@ -106,7 +110,8 @@ bool samePieces(const std::vector<PaintedThing> &a, const std::vector<PaintedThi
 double lumaAt(const SimulatedScene &scene, std::int64_t frame, const Eigen::Vector2d &point)
 {
     const Eigen::Vector2d pixel = *scene.cameras[0].view.pixelFromWorld({point.x(), point.y(), 0});
-    return SceneRenderer(scene, 0).render(frame).y.at(int(std::lround(pixel.x())), int(std::lround(pixel.y())));
+    return SceneRenderer(scene, 0).render(frame).y.at(int(std::lround(pixel.x())),
+                                                      int(std::lround(pixel.y())));
 }
 
 /// Of a grey of 128 that a share of white or, negative, of black is laid over.
@@ -151,9 +156,11 @@ private Q_SLOTS:
         QCOMPARE(things.size(), std::size_t(1));
         // Right to first order: 0.006 px were off when this was written.
         const double worst = worstDifference(cornersOf(things.front()), rolledCorners(scene, robot, readout));
-        const double moved = worstDifference(rolledCorners(scene, robot, readout), rolledCorners(scene, robot, 0));
+        const double moved =
+            worstDifference(rolledCorners(scene, robot, readout), rolledCorners(scene, robot, 0));
         QVERIFY2(worst < 0.03, qPrintable(QString::number(worst)));
-        QVERIFY2(readout == 0 ? moved == 0 : moved > 1, qPrintable(QString::number(moved))); // else the test would say nothing
+        // else the test would say nothing
+        QVERIFY2(readout == 0 ? moved == 0 : moved > 1, qPrintable(QString::number(moved)));
     }
 
     void whatStandsIsSeenAsByAGlobalShutter()
@@ -200,15 +207,20 @@ private Q_SLOTS:
         SimulatedScene scene = plainScene();
         const Eigen::Vector2d middle(1.4, 1.0);
         scene.localLights = {{middle, 0.6, strength, 1.0, 4.0}};
-        const std::pair<int, double> rising[] = {{0, 0.0}, {29, 0.0}, {60, 0.25}, {90, 0.5}, {150, 1.0}, {200, 1.0}}; // thirty frames a second
+        // thirty frames a second
+        const std::pair<int, double> rising[] = {{0, 0.0},  {29, 0.0},  {60, 0.25},
+                                                 {90, 0.5}, {150, 1.0}, {200, 1.0}};
         for (const auto &[frame, share] : rising) {
             const double luma = lumaAt(scene, frame, middle + Eigen::Vector2d(0.005, 0));
-            QVERIFY2(std::abs(luma - lumaOfGrey(share * strength)) < 0.6, qPrintable(QStringLiteral("%1: %2").arg(frame).arg(luma))); // whole numbers
+            // whole numbers
+            QVERIFY2(std::abs(luma - lumaOfGrey(share * strength)) < 0.6,
+                     qPrintable(QStringLiteral("%1: %2").arg(frame).arg(luma)));
         }
         // 24 steps to the edge; each place lies within one.
         for (const double part : {0.26, 0.51, 0.76}) {
             const double luma = lumaAt(scene, 200, middle + Eigen::Vector2d(0.6 * part, 0));
-            QVERIFY2(std::abs(luma - lumaOfGrey((1 - part) * strength)) < 1.7, qPrintable(QStringLiteral("%1: %2").arg(part).arg(luma)));
+            QVERIFY2(std::abs(luma - lumaOfGrey((1 - part) * strength)) < 1.7,
+                     qPrintable(QStringLiteral("%1: %2").arg(part).arg(luma)));
         }
         for (const double beyond : {0.63, 1.0})
             QVERIFY(std::abs(lumaAt(scene, 200, middle + Eigen::Vector2d(beyond, 0)) - lumaOfGrey(0)) < 0.6);

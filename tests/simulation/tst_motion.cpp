@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/motion.h"
+#include "core/simulation/internal/motion.h"
 
 #include "tests/support/registered_test.h"
 

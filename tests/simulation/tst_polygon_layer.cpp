@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/polygon_layer.h"
+#include "core/simulation/internal/polygon_layer.h"
 
 #include "tests/support/registered_test.h"
 

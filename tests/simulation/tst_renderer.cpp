@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/demo_testbed.h"
-#include "core/simulation/exposure.h"
+#include "core/simulation/internal/exposure.h"
+#include "core/simulation/internal/robot_body.h"
 #include "core/simulation/renderer.h"
-#include "core/simulation/robot_body.h"
 #include "tests/support/registered_test.h"
 
 #include <QTest>
@@ -312,7 +312,8 @@ private Q_SLOTS:
         const std::vector<LightChange> lights{{1.4, 1.0, 0.5}, {0.5, 1.2, 1e9}};
         QCOMPARE(lightInExposure(lights, 0.01, 0.9), 1.0);
         QCOMPARE(lightInExposure(lights, 0.01, 1.1), 1.4);
-        QVERIFY(std::abs(lightInExposure(lights, 0.01, 1.0025) - 1.3) < 1e-12); // three quarters of it are behind
+        // three quarters of it are behind
+        QVERIFY(std::abs(lightInExposure(lights, 0.01, 1.0025) - 1.3) < 1e-12);
         QVERIFY(std::abs(lightInExposure(lights, 0.01, 1.3) - 0.7) < 1e-12);
         QCOMPARE(lightInExposure(lights, 0.01, 2.0), 0.5);
     }
@@ -327,8 +328,10 @@ private Q_SLOTS:
         double sum = 0;
         for (int camera = 0; camera < 2; ++camera) {
             const Frame frame = SceneRenderer(scene, camera).render(0);
-            image_u8_t image = {frame.y.width, frame.y.height, static_cast<std::int32_t>(frame.y.stride),
-                                const_cast<std::uint8_t *>(frame.y.data)}; // NOLINT(cppcoreguidelines-pro-type-const-cast): is only read
+            image_u8_t image = {
+                frame.y.width, frame.y.height, static_cast<std::int32_t>(frame.y.stride),
+                const_cast<std::uint8_t *>(
+                    frame.y.data)}; // NOLINT(cppcoreguidelines-pro-type-const-cast): is only read
             zarray_t *found = apriltag_detector_detect(detector, &image);
             QCOMPARE(zarray_size(found), 4);
             for (int i = 0; i < zarray_size(found); ++i) {

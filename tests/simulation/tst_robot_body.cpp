@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/robot_body.h"
+#include "core/simulation/internal/robot_body.h"
 
 #include "tests/support/registered_test.h"
 
@@ -18,7 +18,8 @@ using Vector = Eigen::Vector3d;
 /// How far along a ray it first meets a part, in the robot's frame; worked out without any polygon.
 std::optional<double> hit(const RobotPart &part, const Vector &from, const Vector &along)
 {
-    const auto firstOf = [](double a, double b, double c) -> std::optional<std::pair<double, double>> { // of a·t² + 2b·t + c = 0
+    // of a·t² + 2b·t + c = 0
+    const auto firstOf = [](double a, double b, double c) -> std::optional<std::pair<double, double>> {
         const double d = b * b - a * c;
         if (d <= 0)
             return std::nullopt;
@@ -32,11 +33,14 @@ std::optional<double> hit(const RobotPart &part, const Vector &from, const Vecto
     }
     // A prism: what lies between the slabs of its axes, of a round one also inside its circle.
     double enters = -1e9, leaves = 1e9;
-    const int axis = part.shape == SimulatedShape::Cylinder ? 2 : part.shape == SimulatedShape::Wheel ? 1 : -1;
+    const int axis = part.shape == SimulatedShape::Cylinder ? 2
+                     : part.shape == SimulatedShape::Wheel  ? 1
+                                                            : -1;
     for (int i = 0; i < 3; ++i) {
         if (axis >= 0 && i != axis)
             continue;
-        const double a = (-part.sizeM[i] / 2 - away[i]) / along[i], b = (part.sizeM[i] / 2 - away[i]) / along[i];
+        const double a = (-part.sizeM[i] / 2 - away[i]) / along[i],
+                     b = (part.sizeM[i] / 2 - away[i]) / along[i];
         enters = std::max(enters, std::min(a, b));
         leaves = std::min(leaves, std::max(a, b));
     }
@@ -81,7 +85,8 @@ SimulatedRobot rover()
     robot.heightM = 0.2;
     const auto add = [&robot](SimulatedShape shape, Vector centre, Vector size) {
         const auto code = static_cast<std::uint8_t>(40 * (robot.parts.size() + 1));
-        robot.parts.push_back({shape, {code, static_cast<std::uint8_t>(255 - code), 0}, std::move(centre), std::move(size)});
+        robot.parts.push_back(
+            {shape, {code, static_cast<std::uint8_t>(255 - code), 0}, std::move(centre), std::move(size)});
     };
     add(SimulatedShape::Box, {0, 0, 0.045}, {0.22, 0.14, 0.046});
     add(SimulatedShape::Box, {0.02, 0, 0.08}, {0.1, 0.1, 0.024});
@@ -119,12 +124,16 @@ private Q_SLOTS:
         const std::vector<BodyFace> faces = visibleFaces(robot, state, from);
         const Eigen::AngleAxisd turn(-heading, Vector::UnitZ());
         const Vector origin(state.position.x(), state.position.y(), 0);
-        const auto met = [&](const Vector &target) { return metBy(robot.parts, turn * (from - origin), turn * (target - from)); };
-        for (const BodyFace &face : faces) { // what is cut lies on the body still, not before it; circles are polygons a little larger
+        const auto met = [&](const Vector &target) {
+            return metBy(robot.parts, turn * (from - origin), turn * (target - from));
+        };
+        // what is cut lies on the body still, not before it; circles are polygons a little larger
+        for (const BodyFace &face : faces) {
             for (const Vector &corner : face.corners) {
                 const Vector inRobot = turn * (corner - origin);
                 QVERIFY(std::ranges::any_of(robot.parts, [&](const RobotPart &part) {
-                    return (inRobot.array() > part.lower().array() - 5e-4).all() && (inRobot.array() < part.upper().array() + 5e-4).all();
+                    return (inRobot.array() > part.lower().array() - 5e-4).all() &&
+                           (inRobot.array() < part.upper().array() + 5e-4).all();
                 }));
             }
         }
@@ -135,8 +144,9 @@ private Q_SLOTS:
             const Vector target = origin + Vector(place(random), place(random), height(random));
             const int part = met(target);
             constexpr double edge = 3e-4; // of the circles' polygons, and of rounding
-            if (met(target + Vector(edge, 0, 0)) != part || met(target - Vector(edge, 0, 0)) != part || met(target + Vector(0, edge, 0)) != part ||
-                met(target - Vector(0, edge, 0)) != part || met(target + Vector(0, 0, edge)) != part || met(target - Vector(0, 0, edge)) != part)
+            if (met(target + Vector(edge, 0, 0)) != part || met(target - Vector(edge, 0, 0)) != part ||
+                met(target + Vector(0, edge, 0)) != part || met(target - Vector(0, edge, 0)) != part ||
+                met(target + Vector(0, 0, edge)) != part || met(target - Vector(0, 0, edge)) != part)
                 continue;
             std::vector<const BodyFace *> found;
             for (const BodyFace &face : faces)
@@ -146,8 +156,10 @@ private Q_SLOTS:
             if (part < 0)
                 continue;
             seen.insert(part);
-            const RgbColour &own = robot.parts[static_cast<std::size_t>(part)].colour; // shaded, of the same hue
-            QVERIFY(std::abs(found.front()->colour[0] * own.green - found.front()->colour[1] * own.red) < 1e-2f);
+            // shaded, of the same hue
+            const RgbColour &own = robot.parts[static_cast<std::size_t>(part)].colour;
+            QVERIFY(std::abs(found.front()->colour[0] * own.green - found.front()->colour[1] * own.red) <
+                    1e-2f);
         }
         QVERIFY(seen.size() >= 4);
     }
@@ -184,13 +196,20 @@ private Q_SLOTS:
         int dark = 0;
         for (int i = 0; i < 20'000; ++i) {
             const Vector point = origin + Vector(place(random), place(random), 0);
-            const auto isHidden = [&](const Vector &at) { return metBy(robot.parts, turn * (at - origin), turn * (light - at)) >= 0; };
+            const auto isHidden = [&](const Vector &at) {
+                return metBy(robot.parts, turn * (at - origin), turn * (light - at)) >= 0;
+            };
             constexpr double edge = 5e-4;
             const bool hidden = isHidden(point);
-            if (isHidden(point + Vector(edge, 0, 0)) != hidden || isHidden(point - Vector(edge, 0, 0)) != hidden || isHidden(point + Vector(0, edge, 0)) != hidden ||
+            if (isHidden(point + Vector(edge, 0, 0)) != hidden ||
+                isHidden(point - Vector(edge, 0, 0)) != hidden ||
+                isHidden(point + Vector(0, edge, 0)) != hidden ||
                 isHidden(point - Vector(0, edge, 0)) != hidden)
                 continue;
-            const auto found = std::count_if(pieces.begin(), pieces.end(), [&](const std::vector<Vector> &piece) { return isIn({piece, {}}, light, point - light); });
+            const auto found =
+                std::count_if(pieces.begin(), pieces.end(), [&](const std::vector<Vector> &piece) {
+                    return isIn({piece, {}}, light, point - light);
+                });
             QCOMPARE(found, hidden ? 1 : 0);
             dark += hidden;
         }

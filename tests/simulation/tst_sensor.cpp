@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/sensor.h"
+#include "core/simulation/internal/sensor.h"
 
 #include "tests/support/registered_test.h"
 

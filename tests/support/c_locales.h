@@ -8,8 +8,8 @@
 
 namespace odo::test {
 
-/// Locales of the C library made for this program alone (Debian's package locales has what they are made of), so that a test sees their
-/// decimal commas and dotless i on any machine. Tests of one thread only.
+/// Locales of the C library made for this program alone (Debian's package locales has what they are made of),
+/// so that a test sees their decimal commas and dotless i on any machine. Tests of one thread only.
 class CLocales
 {
 public:
@@ -21,9 +21,11 @@ public:
     bool use(const std::string &name)
     {
         const QString full = QString::fromStdString(name + ".UTF-8");
-        QProcess::execute(QStringLiteral("localedef"), {QStringLiteral("--no-archive"), QStringLiteral("-i"), QString::fromStdString(name),
-                                                        QStringLiteral("-f"), QStringLiteral("UTF-8"), m_folder.filePath(full)});
-        return std::setlocale(LC_ALL, full.toLocal8Bit().constData()) && std::string(std::localeconv()->decimal_point) == ",";
+        QProcess::execute(QStringLiteral("localedef"),
+                          {QStringLiteral("--no-archive"), QStringLiteral("-i"), QString::fromStdString(name),
+                           QStringLiteral("-f"), QStringLiteral("UTF-8"), m_folder.filePath(full)});
+        return std::setlocale(LC_ALL, full.toLocal8Bit().constData()) &&
+               std::string(std::localeconv()->decimal_point) == ",";
     }
 
 private:

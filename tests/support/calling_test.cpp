@@ -55,7 +55,8 @@ void CallingTest::badCallFailsInOneLine() const
     QVERIFY2(failed.err.startsWith("odograph: ") && failed.err.count('\n') == 1, failed.err);
     QVERIFY2(failed.err.contains("; "), failed.err); // it says what to do
     QVERIFY2(failed.err.contains(words), failed.err);
-    QVERIFY2(line.contains(QStringLiteral(" --json")) ? !failed.json().isEmpty() : failed.out.isEmpty(), failed.out);
+    QVERIFY2(line.contains(QStringLiteral(" --json")) ? !failed.json().isEmpty() : failed.out.isEmpty(),
+             failed.out);
     QCOMPARE(fileHash(m_project), before);
     QCOMPARE(QDir(m_folder.path()).entryList(), filesBefore);
 }

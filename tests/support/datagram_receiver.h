@@ -29,7 +29,8 @@ public:
         ip_mreqn membership{};
         membership.imr_multiaddr.s_addr = inet_addr(group);
         membership.imr_ifindex = static_cast<int>(if_nametoindex("lo"));
-        if (isMulticast && setsockopt(m_socket, IPPROTO_IP, IP_ADD_MEMBERSHIP, &membership, sizeof membership) != 0)
+        if (isMulticast &&
+            setsockopt(m_socket, IPPROTO_IP, IP_ADD_MEMBERSHIP, &membership, sizeof membership) != 0)
             qFatal("no multicast on the loopback");
         const timeval patience{10, 0};
         setsockopt(m_socket, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);

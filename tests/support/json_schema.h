@@ -11,8 +11,9 @@
 
 namespace odo::test {
 
-/// Holds a JSON value against a JSON schema, of which it knows what docs/ use: type, enum, required, properties,
-/// additionalProperties: false, items and $ref into $defs. Anything else in the schema is an error, so that nothing is passed over.
+/// Holds a JSON value against a JSON schema, of which it knows what docs/ use: type, enum, required,
+/// properties, additionalProperties: false, items and $ref into $defs. Anything else in the schema is an
+/// error, so that nothing is passed over.
 class JsonSchema
 {
 public:
@@ -36,18 +37,25 @@ private:
     static bool isOfType(const QJsonValue &value, const QString &type)
     {
         const double number = value.toDouble(0.5);
-        return (type == QLatin1String("object") && value.isObject()) || (type == QLatin1String("array") && value.isArray()) ||
-               (type == QLatin1String("string") && value.isString()) || (type == QLatin1String("boolean") && value.isBool()) ||
-               (type == QLatin1String("null") && value.isNull()) || (type == QLatin1String("number") && value.isDouble()) ||
+        return (type == QLatin1String("object") && value.isObject()) ||
+               (type == QLatin1String("array") && value.isArray()) ||
+               (type == QLatin1String("string") && value.isString()) ||
+               (type == QLatin1String("boolean") && value.isBool()) ||
+               (type == QLatin1String("null") && value.isNull()) ||
+               (type == QLatin1String("number") && value.isDouble()) ||
                (type == QLatin1String("integer") && value.isDouble() && number == double(qint64(number)));
     }
 
-    void check(const QJsonValue &value, const QJsonObject &schema, const QString &where, QStringList &problems) const
+    void check(const QJsonValue &value, const QJsonObject &schema, const QString &where,
+               QStringList &problems) const
     {
         for (auto rule = schema.begin(); rule != schema.end(); ++rule) {
             const QString name = rule.key();
             if (name == QLatin1String("$ref")) {
-                check(value, m_root[QStringLiteral("$defs")].toObject()[rule->toString().section(u'/', -1)].toObject(), where, problems);
+                check(
+                    value,
+                    m_root[QStringLiteral("$defs")].toObject()[rule->toString().section(u'/', -1)].toObject(),
+                    where, problems);
             } else if (name == QLatin1String("type")) {
                 bool fits = rule->isString() && isOfType(value, rule->toString());
                 for (const QJsonValue &one : rule->toArray())
@@ -67,15 +75,17 @@ private:
                 const QJsonArray items = value.toArray();
                 for (qsizetype i = 0; i < items.size(); ++i)
                     check(items[i], rule->toObject(), where + u'/' + QString::number(i), problems);
-            } else if (!QStringList{QStringLiteral("description"), QStringLiteral("title"), QStringLiteral("$schema"), QStringLiteral("$id"),
-                                    QStringLiteral("$defs"), QStringLiteral("additionalProperties")}
+            } else if (!QStringList{QStringLiteral("description"), QStringLiteral("title"),
+                                    QStringLiteral("$schema"), QStringLiteral("$id"), QStringLiteral("$defs"),
+                                    QStringLiteral("additionalProperties")}
                             .contains(name)) {
                 problems << where + QStringLiteral(": the schema has a rule that is not known, ") + name;
             }
         }
     }
 
-    void checkProperties(const QJsonObject &object, const QJsonObject &schema, const QString &where, QStringList &problems) const
+    void checkProperties(const QJsonObject &object, const QJsonObject &schema, const QString &where,
+                         QStringList &problems) const
     {
         const QJsonObject known = schema[QStringLiteral("properties")].toObject();
         for (auto property = object.begin(); property != object.end(); ++property) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/looped_video.h"
 
-#include "core/video/libav.h"
+#include "core/video/internal/libav.h"
 
 #include <algorithm>
 #include <vector>

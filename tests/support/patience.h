@@ -5,8 +5,9 @@
 
 namespace odo::test {
 
-/// How many times longer anything may take in a program that is watched by a sanitizer, on a machine that does other things too.
-/// Included by tests that judge how long something takes; their QTRY_VERIFY waits accordingly.
+/// How many times longer anything may take in a program that is watched by a sanitizer, on a machine that
+/// does other things too. Included by tests that judge how long something takes; their QTRY_VERIFY waits
+/// accordingly.
 #if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
 constexpr int slowness = 40;
 #undef QTRY_VERIFY

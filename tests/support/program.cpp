@@ -68,7 +68,8 @@ MeasuredRun runMeasured(const QStringList &arguments)
     rusage usage{};
     if (child < 0 || wait4(child, &status, 0, &usage) != child)
         return {};
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, static_cast<double>(usage.ru_maxrss) / 1024, double(clock.elapsed()) / 1000};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, static_cast<double>(usage.ru_maxrss) / 1024,
+            double(clock.elapsed()) / 1000};
 }
 
 QByteArray fileHash(const QString &file)

@@ -11,8 +11,8 @@
 
 namespace odo::test {
 
-/// A message of Protocol Buffers taken apart without its schema (developers.google.com/protocol-buffers/docs/encoding), to look at what was
-/// encoded with other eyes.
+/// A message of Protocol Buffers taken apart without its schema
+/// (developers.google.com/protocol-buffers/docs/encoding), to look at what was encoded with other eyes.
 struct DecodedMessage
 {
     struct Value

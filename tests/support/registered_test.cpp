@@ -36,6 +36,7 @@ int main(int argc, char **argv)
             std::fprintf(stderr, "  %s\n", name.c_str());
         return 2;
     }
-    QCoreApplication::setApplicationName(QString::fromStdString(test->first)); // settings and temporary files of its own
+    // settings and temporary files of its own
+    QCoreApplication::setApplicationName(QString::fromStdString(test->first));
     return isNamed ? test->second(argc - 1, argv + 1) : test->second(argc, argv);
 }

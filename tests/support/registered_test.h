@@ -31,5 +31,5 @@ int runTest(int argc, char **argv)
 } // namespace odo::test
 
 /// Makes a class the test of the file that says so, run by an application of the given class.
-#define ODOGRAPH_TEST(Test, Application) \
+#define ODOGRAPH_TEST(Test, Application)                                                                     \
     static const odo::test::RegisteredTest registeredTest(__FILE__, odo::test::runTest<Test, Application>);

@@ -4,12 +4,12 @@
 #include "core/calibration/floor_registration.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/stored_registration.h"
+#include "core/workflow/calibrate/cameras.h"
 
 namespace odo::test {
 
-Result<void> registerSimulatedCamera(Project &project, const SimulatedCamera &camera, const MarkerLayout &places,
-                                     RecordId layout)
+Result<void> registerSimulatedCamera(Project &project, const SimulatedCamera &camera,
+                                     const MarkerLayout &places, RecordId layout)
 {
     RegistrationRecord record;
     record.layout = layout;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/tracking/silhouette.h"
 
-#include "core/simulation/robot_body.h"
+#include "core/simulation/internal/robot_body.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,9 +33,8 @@ std::vector<Corner> hullOf(std::vector<Corner> corners)
     for (int half = 0; half < 2; ++half) {
         const std::size_t start = hull.size();
         for (const Corner &corner : corners) {
-            while (hull.size() >= start + 2 &&
-                   cross(hull.back().onPlane - hull[hull.size() - 2].onPlane,
-                         corner.onPlane - hull.back().onPlane) <= 0)
+            while (hull.size() >= start + 2 && cross(hull.back().onPlane - hull[hull.size() - 2].onPlane,
+                                                     corner.onPlane - hull.back().onPlane) <= 0)
                 hull.pop_back();
             hull.push_back(corner);
         }

@@ -2,8 +2,7 @@
 #include "tests/tracking/textured_floor.h"
 
 #include "core/tracking/background.h"
-#include "core/tracking/light_gain.h"
-#include "core/tracking/live_background.h"
+#include "core/tracking/light_meter.h"
 #include "tests/support/registered_test.h"
 
 #include <QTest>
@@ -16,7 +15,8 @@ namespace {
 const FrameFormat format = testFormat(320, 240);
 
 /// A robot that stands until second `fromS`, then drives to the right.
-Frame filmed(const Painter &floor, std::int64_t index, double standsUntilS, double noise, std::mt19937 &random, double light = 1)
+Frame filmed(const Painter &floor, std::int64_t index, double standsUntilS, double noise,
+             std::mt19937 &random, double light = 1)
 {
     Painter picture = floor;
     const double timeS = double(index) / 10;
@@ -58,8 +58,10 @@ private Q_SLOTS:
             learner.add(filmed(floor, i, 25, 2, random));
         const auto background = learner.learned();
         QVERIFY(background.has_value());
-        // The median of a dozen or more samples with a noise of 2 is off by some 0.6, and by 0.3 for whole code values.
-        QVERIFY2(wrongBy(*background, floor, {60, 90, 100, 125}) < 1.2, qPrintable(QString::number(wrongBy(*background, floor, {60, 90, 100, 125}))));
+        // The median of a dozen or more samples with a noise of 2 is off by some 0.6, and by 0.3 for whole
+        // code values.
+        QVERIFY2(wrongBy(*background, floor, {60, 90, 100, 125}) < 1.2,
+                 qPrintable(QString::number(wrongBy(*background, floor, {60, 90, 100, 125}))));
         QVERIFY(wrongBy(*background, floor, {0, 0, 320, 240}) < 1.2);
         double sigmas = 0;
         for (const std::uint8_t sigma : background->y.sigmas)
@@ -79,15 +81,13 @@ private Q_SLOTS:
         std::mt19937 still(0);
         const Frame bare = floor.frame(0, 0, 0, still);
         const auto &y = background->y;
-        const LightGain gain = LightGain::between({y.values.data(), y.width, y.height, y.width}, bare.y, false);
+        const LightGain gain =
+            LightGain::between({y.values.data(), y.width, y.height, y.width}, bare.y, false);
         QVERIFY2(gain.factor > 0.78F && gain.factor < 0.9F, qPrintable(QString::number(double(gain.factor))));
         QVERIFY(wrongBy(*background, floor, {0, 0, 320, 240}, double(gain.factor)) < 1.5);
     }
 
-    void withoutFramesThereIsNone()
-    {
-        QVERIFY(!BackgroundLearner().learned());
-    }
+    void withoutFramesThereIsNone() { QVERIFY(!BackgroundLearner().learned()); }
 
     void whereNothingMovesItIsTheFrame()
     {
@@ -108,8 +108,11 @@ private Q_SLOTS:
             Painter lit = floor;
             lit.light(light);
             lit.rectangle({0, 0}, {100, 100}, {250, 250, 250}); // that only one of them shows
-            const float factor = LightGain::between(lit.frame(0, 0, 1, random).y, floor.frame(0, 0, 1, random).y, false).factor;
-            QVERIFY2(std::abs(double(factor) / light - 1) < 0.03, qPrintable(QString::number(double(factor))));
+            const float factor =
+                LightGain::between(lit.frame(0, 0, 1, random).y, floor.frame(0, 0, 1, random).y, false)
+                    .factor;
+            QVERIFY2(std::abs(double(factor) / light - 1) < 0.03,
+                     qPrintable(QString::number(double(factor))));
         }
     }
 

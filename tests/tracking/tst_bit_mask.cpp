@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/tracking/bit_mask.h"
+#include "core/tracking/internal/bit_mask.h"
 
 #include "tests/support/registered_test.h"
 
@@ -125,9 +125,12 @@ private Q_SLOTS:
         QFETCH(int, width);
         const BitMask few = speckled(width, 20, 0.02), most = speckled(width, 20, 0.97);
         for (const int radius : {1, 2, 4}) {
-            QVERIFY(isAs(few.dilated(radius), [&](int x, int y) { return discMeets(few, x, y, radius, false); }));
+            QVERIFY(
+                isAs(few.dilated(radius), [&](int x, int y) { return discMeets(few, x, y, radius, false); }));
             for (const bool isOutsideSet : {false, true})
-                QVERIFY(isAs(most.eroded(radius, isOutsideSet), [&](int x, int y) { return !discMeets(most.complement(), x, y, radius, !isOutsideSet); }));
+                QVERIFY(isAs(most.eroded(radius, isOutsideSet), [&](int x, int y) {
+                    return !discMeets(most.complement(), x, y, radius, !isOutsideSet);
+                }));
         }
     }
     void neighboursAreCounted_data() { sizes(); }

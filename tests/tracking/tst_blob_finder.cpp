@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/tracking/blob_finder.h"
-#include "core/tracking/duplicate_detector.h"
-#include "core/tracking/motion_predictor.h"
-#include "core/tracking/region_score.h"
+#include "core/tracking/internal/blob_finder.h"
+#include "core/tracking/internal/robot_expectation.h"
+#include "core/tracking/internal/tracked_frame.h"
 #include "tests/support/registered_test.h"
 #include "tests/tracking/painter.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/tracking/chroma_table.h"
+#include "core/tracking/internal/chroma_density.h"
 #include "tests/support/registered_test.h"
 #include "tests/tracking/painter.h"
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/tracking/textured_floor.h"
 
-#include "core/tracking/difference_lattice.h"
-#include "core/tracking/difference_windows.h"
-#include "core/tracking/region_edge.h"
+#include "core/tracking/internal/difference_windows.h"
+#include "core/tracking/internal/region_edge.h"
 #include "tests/support/registered_test.h"
 
 #include <QTest>
@@ -46,7 +45,8 @@ Painter chequeredFloor()
 
 enum class Verdict { Shade, OtherHue, Flat, Unclear };
 
-/// What a pixel that is as dark as in a shadow is, by all such pixels of the 7 x 7 around it; unclear where it nearly is something else.
+/// What a pixel that is as dark as in a shadow is, by all such pixels of the 7 x 7 around it; unclear where
+/// it nearly is something else.
 Verdict verdictOf(const ComparedWindow &w, int x, int y)
 {
     double n = 0, offU = 0, offV = 0, seen = 0, seen2 = 0, behind = 0, behind2 = 0;
@@ -55,7 +55,8 @@ Verdict verdictOf(const ComparedWindow &w, int x, int y)
             if (!w.darkened().at(px, py))
                 continue;
             const PixelColour now = w.seen(px, py), floor = w.behind(px, py);
-            const double logNow = std::log(double(now.luma)), logFloor = std::log(double(floor.luma)), ratio = double(now.luma) / double(floor.luma);
+            const double logNow = std::log(double(now.luma)), logFloor = std::log(double(floor.luma)),
+                         ratio = double(now.luma) / double(floor.luma);
             n += 1;
             offU += double(now.u) - ratio * double(floor.u);
             offV += double(now.v) - ratio * double(floor.v);
@@ -67,9 +68,12 @@ Verdict verdictOf(const ComparedWindow &w, int x, int y)
     if (n < 16)
         return Verdict::Shade;
     const double off = std::max(std::abs(offU), std::abs(offV)) / n, luma = double(w.seen(x, y).luma);
-    const double variance = seen2 / n - seen * seen / (n * n), varianceBehind = behind2 / n - behind * behind / (n * n);
-    const double flat = 0.25 * varianceBehind - variance, textured = varianceBehind * luma * luma / (6.0 * double(w.lumaNoise2(x, y))) - 1;
-    if (std::abs(off - 2.2) < 0.01 || (off < 2.2 && (std::abs(flat) < 1e-4 || (flat > 0 && std::abs(textured) < 0.01))))
+    const double variance = seen2 / n - seen * seen / (n * n),
+                 varianceBehind = behind2 / n - behind * behind / (n * n);
+    const double flat = 0.25 * varianceBehind - variance,
+                 textured = varianceBehind * luma * luma / (6.0 * double(w.lumaNoise2(x, y))) - 1;
+    if (std::abs(off - 2.2) < 0.01 ||
+        (off < 2.2 && (std::abs(flat) < 1e-4 || (flat > 0 && std::abs(textured) < 0.01))))
         return Verdict::Unclear;
     return off > 2.2 ? Verdict::OtherHue : flat > 0 && textured > 0 ? Verdict::Flat : Verdict::Shade;
 }
@@ -139,10 +143,13 @@ private Q_SLOTS:
         for (int y = 0; y < window.height(); ++y)
             for (int x = 0; x < window.width(); ++x) {
                 const int px = window.rect().x0 + x, py = window.rect().y0 + y;
-                const bool isIn = around.contains({px, py, px + 1, py + 1}), isNear = PixelRect{98, 78, 152, 122}.contains({px, py, px + 1, py + 1});
+                const bool isIn = around.contains({px, py, px + 1, py + 1}),
+                           isNear = PixelRect{98, 78, 152, 122}.contains({px, py, px + 1, py + 1});
                 QVERIFY(window.differs().at(x, y) == isIn || (isNear && !isIn));
                 if (isIn)
-                    QVERIFY(window.plain().at(x, y) && std::abs(window.seen(x, y).luma - float(frame.y.at(px, py) - lattice.gain().black)) < 1e-3F);
+                    QVERIFY(window.plain().at(x, y) &&
+                            std::abs(window.seen(x, y).luma -
+                                     float(frame.y.at(px, py) - lattice.gain().black)) < 1e-3F);
             }
     }
 
@@ -162,16 +169,19 @@ private Q_SLOTS:
             shade.find(window);
             QVERIFY(shade.shade().isEmpty() && shade.byHue().isEmpty());
             RegionEdge edge;
-            edge.measure(window, shade, {0, 0, window.width(), window.height()}, window.plain(), BitMask(window.width(), window.height()));
+            edge.measure(window, shade, {0, 0, window.width(), window.height()}, window.plain(),
+                         BitMask(window.width(), window.height()));
             Eigen::Vector2d least(1e9, 1e9), most(-1e9, -1e9);
             for (const Eigen::Vector2d &point : edge.points()) {
                 least = least.cwiseMin(point);
                 most = most.cwiseMax(point);
             }
-            // A code value of 150 is what rounding may hide of a pixel. Between a pixel of which a part c is covered and one that is covered wholly, the line
-            // through both crosses one half (c/2 - c²) / (1 - c) from the edge: 0.083 px at a quarter, and no more.
+            // A code value of 150 is what rounding may hide of a pixel. Between a pixel of which a part c is
+            // covered and one that is covered wholly, the line through both crosses one half (c/2 - c²) / (1
+            // - c) from the edge: 0.083 px at a quarter, and no more.
             const double mostPx = shift == 0 ? 0.03 : 0.12;
-            QVERIFY2((least - low).norm() < mostPx && (most - high).norm() < mostPx, qPrintable(QStringLiteral("%1 %2").arg((least - low).norm()).arg((most - high).norm())));
+            QVERIFY2((least - low).norm() < mostPx && (most - high).norm() < mostPx,
+                     qPrintable(QStringLiteral("%1 %2").arg((least - low).norm()).arg((most - high).norm())));
             QVERIFY(edge.meanChroma().norm() < 0.5);
         }
     }
@@ -194,11 +204,13 @@ private Q_SLOTS:
             FloorShade shade;
             shade.find(window);
             const double share = double(shade.shade().count()) / (50 * 40);
-            QVERIFY2(isShadow ? share > 0.9 : share < 0.2, qPrintable(QStringLiteral("%1 %2").arg(isShadow).arg(share)));
+            QVERIFY2(isShadow ? share > 0.9 : share < 0.2,
+                     qPrintable(QStringLiteral("%1 %2").arg(isShadow).arg(share)));
         }
     }
 
-    /// A shadow, a surface as brown as the floor and two that nearly are, in any light: each pixel is judged by those around it.
+    /// A shadow, a surface as brown as the floor and two that nearly are, in any light: each pixel is judged
+    /// by those around it.
     void eachPatchIsJudged_data() { whatDiffersIsFound_data(); }
     void eachPatchIsJudged()
     {
@@ -209,7 +221,8 @@ private Q_SLOTS:
         painter.shade({79.5, 59.5}, {119.5, 99.5}, 0.6);
         painter.rectangle({121.5, 59.5}, {159.5, 99.5}, {90, 84, 72});
         for (int x = 140; x < 156; x += 8)
-            painter.rectangle({x - 0.5, 59.5}, {x + 3.5, 99.5}, {78, 73, 62}); // about half as much texture as the floor's
+            // about half as much texture as the floor's
+            painter.rectangle({x - 0.5, 59.5}, {x + 3.5, 99.5}, {78, 73, 62});
         painter.rectangle({79.5, 103.5}, {119.5, 149.5}, {96, 84, 70});
         painter.rectangle({119.5, 103.5}, {159.5, 149.5}, {88, 84, 77});
         painter.light(light);
@@ -224,14 +237,20 @@ private Q_SLOTS:
         window.darkened().forEach([&](int x, int y) {
             const Verdict verdict = verdictOf(window, x, y);
             ++count[std::size_t(verdict)];
-            if (verdict != Verdict::Unclear && (shade.shade().at(x, y) != (verdict == Verdict::Shade) || shade.byHue().at(x, y) != (verdict == Verdict::OtherHue)))
+            if (verdict != Verdict::Unclear && (shade.shade().at(x, y) != (verdict == Verdict::Shade) ||
+                                                shade.byHue().at(x, y) != (verdict == Verdict::OtherHue)))
                 wrong.append(QStringLiteral("(%1, %2) is %3").arg(x).arg(y).arg(int(verdict)));
         });
-        QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("%1: %2").arg(wrong.size()).arg(wrong.mid(0, 5).join(QLatin1Char(' ')))));
+        QVERIFY2(wrong.isEmpty(),
+                 qPrintable(
+                     QStringLiteral("%1: %2").arg(wrong.size()).arg(wrong.mid(0, 5).join(QLatin1Char(' ')))));
         for (const Verdict verdict : {Verdict::Shade, Verdict::OtherHue, Verdict::Flat})
-            QVERIFY2(count[std::size_t(verdict)] > 300, qPrintable(QStringLiteral("%1: %2").arg(int(verdict)).arg(count[std::size_t(verdict)])));
-        QVERIFY2(count[std::size_t(Verdict::Unclear)] < 200, qPrintable(QString::number(count[std::size_t(Verdict::Unclear)])));
-        QVERIFY((shade.shade() - window.darkened()).isEmpty() && (shade.byHue() - window.darkened()).isEmpty());
+            QVERIFY2(count[std::size_t(verdict)] > 300,
+                     qPrintable(QStringLiteral("%1: %2").arg(int(verdict)).arg(count[std::size_t(verdict)])));
+        QVERIFY2(count[std::size_t(Verdict::Unclear)] < 200,
+                 qPrintable(QString::number(count[std::size_t(Verdict::Unclear)])));
+        QVERIFY((shade.shade() - window.darkened()).isEmpty() &&
+                (shade.byHue() - window.darkened()).isEmpty());
     }
 };
 

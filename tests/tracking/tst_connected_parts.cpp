@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/tracking/connected_parts.h"
+#include "core/tracking/internal/bit_mask.h"
 
 #include "tests/support/registered_test.h"
 
@@ -67,14 +67,17 @@ private Q_SLOTS:
         const BitMask ring = drawn({".###..", "#...#.", "#.#.#.", ".###.#", "......"});
         const BitMask filled = withoutHoles(ring);
         QCOMPARE(filled.count(), ring.count() + 5); // corners close it, and what lies in it is filled with it
-        QVERIFY(filled.at(1, 1) && filled.at(3, 2) && !filled.at(0, 0) && !filled.at(4, 3) && !filled.at(5, 2));
+        QVERIFY(filled.at(1, 1) && filled.at(3, 2) && !filled.at(0, 0) && !filled.at(4, 3) &&
+                !filled.at(5, 2));
         const BitMask open = drawn({"###", "#..", "###"});
         QCOMPARE(withoutHoles(open).count(), open.count());
     }
 
     void whatIsEnclosedIsKnownFromTheRuns()
     {
-        const auto encloses = [](const std::vector<std::string> &rows) { return enclosesAny(connectedParts(drawn(rows))[0]); };
+        const auto encloses = [](const std::vector<std::string> &rows) {
+            return enclosesAny(connectedParts(drawn(rows))[0]);
+        };
         QVERIFY(encloses({".###.", "#...#", ".###."})); // corners close it
         QVERIFY(encloses({"##.##", "#.#.#", "#####"}));
         QVERIFY(!encloses({"###", "#..", "###"}));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/colour_tracker.h"
-#include "core/tracking/moment_ellipse.h"
+#include "core/tracking/observation.h"
 #include "tests/support/registered_test.h"
 #include "tests/tracking/painter.h"
 #include "tests/tracking/silhouette.h"

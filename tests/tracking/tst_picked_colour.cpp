@@ -133,11 +133,12 @@ private Q_SLOTS:
                                               << "#b09470" << 0.6 << nothing;
         QTest::newRow("a robot of the floor's colour") << "#b09470"
                                                        << "#b09470" << 1.5 << nothing;
-        QTest::newRow("a black robot on wood") << "#202020"
-                                               << "#b09470" << 1.5
-                                               << "colour in the box: what differs from the floor around it "
-                                                  "is grey, black or white; add the robot without a "
-                                                  "colour, so that it is found by how it differs from the floor";
+        QTest::newRow("a black robot on wood")
+            << "#202020"
+            << "#b09470" << 1.5
+            << "colour in the box: what differs from the floor around it "
+               "is grey, black or white; add the robot without a "
+               "colour, so that it is found by how it differs from the floor";
     }
     void whatHoldsNoColourIsRefused()
     {

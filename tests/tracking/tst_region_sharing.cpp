@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/tracking/region_sharing.h"
+#include "core/tracking/internal/similar_robots.h"
 
 #include "tests/support/registered_test.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/tracking/silhouette_parts.h"
+#include "core/tracking/internal/silhouette_finder.h"
 
 #include "tests/support/registered_test.h"
 
@@ -21,7 +21,8 @@ SeenSilhouette rectangle(int x0, int y0, int x1, int y1, int shadowPiece)
     return silhouette;
 }
 
-/// Its side is 35 px: what is nearer than 4 px is taken with it, by its shadow what is nearer than 17 px. 1200 px².
+/// Its side is 35 px: what is nearer than 4 px is taken with it, by its shadow what is nearer than 17 px.
+/// 1200 px².
 SeenSilhouette body()
 {
     return rectangle(100, 100, 140, 130, 1);
@@ -50,7 +51,8 @@ private Q_SLOTS:
         QTest::newRow("small, and the hull would grow by 30 %") << QList{155, 112, 159, 118} << 1 << false;
         QTest::newRow("small, in the hull") << QList{110, 110, 120, 120} << 2 << true;
         QTest::newRow("large and near") << QList{141, 100, 156, 130} << 2 << false;
-        QTest::newRow("large, in the hull: another robot in a corner of this one") << QList{105, 110, 135, 124} << 1 << false;
+        QTest::newRow("large, in the hull: another robot in a corner of this one")
+            << QList{105, 110, 135, 124} << 1 << false;
     }
     void fragmentsAreJoined()
     {
@@ -76,7 +78,8 @@ private Q_SLOTS:
     /// A wheel on each side: each alone grows the hull by a tenth.
     void severalFragmentsAreJoinedAtOnce()
     {
-        std::vector<SeenSilhouette> seen{body(), rectangle(143, 112, 147, 118, 2), rectangle(93, 112, 97, 118, 3), rectangle(200, 112, 204, 118, 4)};
+        std::vector<SeenSilhouette> seen{body(), rectangle(143, 112, 147, 118, 2),
+                                         rectangle(93, 112, 97, 118, 3), rectangle(200, 112, 204, 118, 4)};
         joinFragments(seen);
         QCOMPARE(seen.size(), std::size_t(2));
         QVERIFY(std::abs(rightOf(seen[0]) - 146.5) < 1e-3);
@@ -88,7 +91,8 @@ private Q_SLOTS:
 
     void theFragmentOfTheSecondIsTheSecondsOwn()
     {
-        std::vector<SeenSilhouette> seen{body(), rectangle(200, 100, 230, 130, 2), rectangle(233, 112, 237, 118, 3)};
+        std::vector<SeenSilhouette> seen{body(), rectangle(200, 100, 230, 130, 2),
+                                         rectangle(233, 112, 237, 118, 3)};
         joinFragments(seen);
         QCOMPARE(seen.size(), std::size_t(2));
         QCOMPARE(seen[0].moments.areaPx2, body().moments.areaPx2);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/tracking/textured_floor.h"
 
-#include "core/geometry/support.h"
+#include "core/geometry/silhouette.h"
+#include "core/tracking/internal/silhouette_finder.h"
 #include "core/tracking/robot_tracker.h"
-#include "core/tracking/silhouette_finder.h"
 #include "tests/support/registered_test.h"
 
 #include <QTest>
@@ -30,7 +30,8 @@ Background learned(const Painter &floor)
 }
 
 /// A robot of some colour with a soft shadow to its left, which the floor's grain shows through.
-Frame filmed(Painter picture, RgbColour colour, bool hasShadow, std::mt19937 &random, Eigen::Vector2d shift = {0, 0}, double light = 1)
+Frame filmed(Painter picture, RgbColour colour, bool hasShadow, std::mt19937 &random,
+             Eigen::Vector2d shift = {0, 0}, double light = 1)
 {
     if (hasShadow)
         picture.shade(low + shift - Eigen::Vector2d(20, -8), Eigen::Vector2d(low.x(), high.y()) + shift, 0.7);
@@ -50,7 +51,10 @@ private Q_SLOTS:
         QTest::addColumn<QList<int>>("rgb");
         QTest::addColumn<bool>("hasShadow");
         QTest::addColumn<double>("light");
-        const std::pair<const char *, QList<int>> looks[] = {{"red", {200, 40, 40}}, {"white", {245, 245, 245}}, {"black", {20, 20, 20}}, {"blue", {40, 40, 160}}};
+        const std::pair<const char *, QList<int>> looks[] = {{"red", {200, 40, 40}},
+                                                             {"white", {245, 245, 245}},
+                                                             {"black", {20, 20, 20}},
+                                                             {"blue", {40, 40, 160}}};
         for (const auto &[name, rgb] : looks) {
             QTest::newRow(name) << rgb << false << 1.0;
             QTest::addRow("%s with a shadow", name) << rgb << true << 1.0;
@@ -76,18 +80,22 @@ private Q_SLOTS:
             worstPx = std::max(worstPx, (moments.centrePx - ((low + high) / 2 + shift)).norm());
             mostArea = std::max(mostArea, std::abs(moments.areaPx2 / (48 * 36) - 1));
             QVERIFY(!seen.front().touchesBorder);
-            // Along the picture's axes the hull reaches to the rectangle's sides, or a little beyond: to the farthest of some fifty points with noise.
+            // Along the picture's axes the hull reaches to the rectangle's sides, or a little beyond: to the
+            // farthest of some fifty points with noise.
             const std::vector<float> &support = seen.front().supportPx;
             QCOMPARE(support.size(), supportDirections);
-            for (const auto &[direction, half] : {std::pair{0, 24.0}, std::pair{6, 18.0}, std::pair{12, 24.0}, std::pair{18, 18.0}})
-                QVERIFY2(std::abs(support[std::size_t(direction)] - half) < (hasShadow ? 1.5 : 0.9), qPrintable(QString::number(support[std::size_t(direction)])));
+            for (const auto &[direction, half] :
+                 {std::pair{0, 24.0}, std::pair{6, 18.0}, std::pair{12, 24.0}, std::pair{18, 18.0}})
+                QVERIFY2(std::abs(support[std::size_t(direction)] - half) < (hasShadow ? 1.5 : 0.9),
+                         qPrintable(QString::number(support[std::size_t(direction)])));
         }
         // A fifth of a pixel of 48; a shadow's edge is told from the robot's to half a pixel.
         QVERIFY2(worstPx < (hasShadow ? 0.6 : 0.25), qPrintable(QString::number(worstPx)));
         QVERIFY2(mostArea < (hasShadow ? 0.05 : 0.03), qPrintable(QString::number(mostArea)));
     }
 
-    /// A flat floor that keeps a third of its light beside the robot: it is the background that says whether that may be shadow.
+    /// A flat floor that keeps a third of its light beside the robot: it is the background that says whether
+    /// that may be shadow.
     void howDarkShadowsAreIsTold()
     {
         Painter floor(format);
@@ -102,10 +110,15 @@ private Q_SLOTS:
             return seen.empty() ? SeenSilhouette() : seen.front();
         };
         const RgbColour red{200, 40, 40};
-        const auto leftEnd = [](const SeenSilhouette &seen) { return seen.moments.centrePx.x() - double(seen.supportPx.at(supportDirections / 2)); };
-        const SeenSilhouette grown = seenWith(Background::usualDarkestShadow, 0.33, red), alone = seenWith(0.2F, 0.33, red), light = seenWith(Background::usualDarkestShadow, 0.6, red);
+        const auto leftEnd = [](const SeenSilhouette &seen) {
+            return seen.moments.centrePx.x() - double(seen.supportPx.at(supportDirections / 2));
+        };
+        const SeenSilhouette grown = seenWith(Background::usualDarkestShadow, 0.33, red),
+                             alone = seenWith(0.2F, 0.33, red),
+                             light = seenWith(Background::usualDarkestShadow, 0.6, red);
         QVERIFY2(leftEnd(grown) < low.x() - 18, qPrintable(QString::number(leftEnd(grown))));
-        QVERIFY2(grown.deepShare > 0.15F, qPrintable(QString::number(grown.deepShare))); // 20 × 32 of 2368 pixels: 0.27
+        // 20 × 32 of 2368 pixels: 0.27
+        QVERIFY2(grown.deepShare > 0.15F, qPrintable(QString::number(grown.deepShare)));
         // Its edge is told from the robot's to a pixel and a half, as that of a light one.
         for (const SeenSilhouette &seen : {alone, light}) {
             QVERIFY2(std::abs(leftEnd(seen) - low.x()) < 1.5, qPrintable(QString::number(leftEnd(seen))));
@@ -113,7 +126,8 @@ private Q_SLOTS:
         }
     }
 
-    /// A robot dark above and white below: the mean of both is about as bright as the floor, so that only the colour beside an edge tells where it is.
+    /// A robot dark above and white below: the mean of both is about as bright as the floor, so that only the
+    /// colour beside an edge tells where it is.
     void edgesAreMeasuredByTheColourBesideThem()
     {
         const Painter floor = texturedFloor(format);
@@ -129,7 +143,8 @@ private Q_SLOTS:
             const double offPx = (seen.front().moments.centrePx - ((low + high) / 2 + shift)).norm();
             QVERIFY2(offPx < 0.4, qPrintable(QString::number(offPx)));
             for (const std::size_t direction : {0, 12})
-                QVERIFY2(std::abs(seen.front().supportPx[direction] - 24) < 0.9F, qPrintable(QString::number(seen.front().supportPx[direction])));
+                QVERIFY2(std::abs(seen.front().supportPx[direction] - 24) < 0.9F,
+                         qPrintable(QString::number(seen.front().supportPx[direction])));
         }
     }
 
@@ -157,8 +172,10 @@ private Q_SLOTS:
             const auto &seen = finder.find(filmed(picture, {30, 30, 30}, false, random));
             QCOMPARE(seen.size(), std::size_t(1));
             const double reach = seen.front().moments.centrePx.x() + double(seen.front().supportPx.front());
-            // The gap is taken with it, and looks like the floor: the farthest of 25 rows may be two pixels off. Without the part five and eleven are missing.
-            QVERIFY2(std::abs(reach - right) < (isShaded ? 0.9 : 2.5), qPrintable(QString::number(reach - right)));
+            // The gap is taken with it, and looks like the floor: the farthest of 25 rows may be two pixels
+            // off. Without the part five and eleven are missing.
+            QVERIFY2(std::abs(reach - right) < (isShaded ? 0.9 : 2.5),
+                     qPrintable(QString::number(reach - right)));
         }
     }
 
@@ -183,16 +200,19 @@ private Q_SLOTS:
         const double wanted = isPart ? high.x() + length : high.x();
         for (int i = 0; i < 10; ++i) {
             Painter picture = floor;
-            picture.rectangle({high.x() - 5, 168 - width / 2}, {high.x() + length, 168 + width / 2}, {25, 25, 25});
+            picture.rectangle({high.x() - 5, 168 - width / 2}, {high.x() + length, 168 + width / 2},
+                              {25, 25, 25});
             const auto &seen = finder.find(filmed(picture, {30, 30, 30}, false, random));
             QCOMPARE(seen.size(), std::size_t(1));
             const RegionMoments &moments = seen.front().moments;
             const double reach = moments.centrePx.x() + double(seen.front().supportPx.front());
             QCOMPARE(seen.front().isTrimmed, !isPart);
             // Where the cable leaves the body its root stays: it is told from it by discs of five pixels.
-            QVERIFY2(std::abs(reach - wanted) < (isPart ? 1.5 : 4.0), qPrintable(QString::number(reach - wanted)));
+            QVERIFY2(std::abs(reach - wanted) < (isPart ? 1.5 : 4.0),
+                     qPrintable(QString::number(reach - wanted)));
             if (!isPart)
-                QVERIFY2(std::abs(moments.areaPx2 / (48 * 36) - 1) < 0.05 && (moments.centrePx - (low + high) / 2).norm() < 1,
+                QVERIFY2(std::abs(moments.areaPx2 / (48 * 36) - 1) < 0.05 &&
+                             (moments.centrePx - (low + high) / 2).norm() < 1,
                          qPrintable(QString::number(moments.areaPx2)));
         }
     }
@@ -234,7 +254,8 @@ private Q_SLOTS:
     void robotsAreFollowedBesideColouredOnes()
     {
         const Painter floor = texturedFloor(format);
-        const auto tracker = RobotTracker::create({{"Any 1", {}}, {"Red 1", RgbColour{200, 40, 40}}, {"Any 2", {}}}, learned(floor));
+        const auto tracker = RobotTracker::create(
+            {{"Any 1", {}}, {"Red 1", RgbColour{200, 40, 40}}, {"Any 2", {}}}, learned(floor));
         QVERIFY(tracker.has_value());
         std::mt19937 random(5);
         int wrong = 0;
@@ -251,8 +272,9 @@ private Q_SLOTS:
             };
             wrong += !isAt(seen[0], x + 22, 75) + !isAt(seen[1], 420 - x, 165) + !isAt(seen[2], x + 15, 262);
         }
-        QVERIFY2(wrong < 4, qPrintable(QString::number(wrong))); // a coloured one is searched for a frame or two
-        QVERIFY(!(*tracker)->neededRegion(Nanoseconds(0)));      // all of the picture is looked at
+        // a coloured one is searched for a frame or two
+        QVERIFY2(wrong < 4, qPrintable(QString::number(wrong)));
+        QVERIFY(!(*tracker)->neededRegion(Nanoseconds(0))); // all of the picture is looked at
     }
 
     void theColourTellsWhichSilhouetteIsTheRobots()
@@ -269,10 +291,12 @@ private Q_SLOTS:
             picture.rectangle({x, 200}, {x + 44, 230}, {200, 40, 40});
             picture.rectangle({x - 10, 204}, {x, 226}, {25, 25, 25}); // a black part of the same robot
             const Observation seen = (*tracker)->track(picture.frame(i, double(i) / 30, 2, random)).front();
-            wrong += !seen.found || (seen.ellipse.centrePx - Eigen::Vector2d(x + 17.3, 215)).norm() > 1.5 || seen.supportPx.empty();
+            wrong += !seen.found || (seen.ellipse.centrePx - Eigen::Vector2d(x + 17.3, 215)).norm() > 1.5 ||
+                     seen.supportPx.empty();
         }
         QVERIFY2(wrong == 0, qPrintable(QString::number(wrong)));
-        QVERIFY(needsBackground({{"Red 1", RgbColour{200, 40, 40}, true}}) && !needsBackground({{"Red 1", RgbColour{200, 40, 40}}}));
+        QVERIFY(needsBackground({{"Red 1", RgbColour{200, 40, 40}, true}}) &&
+                !needsBackground({{"Red 1", RgbColour{200, 40, 40}}}));
     }
 
     /// A robot of which only the wheels differ from the floor is not one of its wheels.
@@ -287,9 +311,11 @@ private Q_SLOTS:
             const Eigen::Vector2d at(60 + 5.0 * double(i), 150);
             for (const double x : {0.0, 50.0})
                 for (const double y : {0.0, 34.0})
-                    picture.rectangle(at + Eigen::Vector2d(x, y), at + Eigen::Vector2d(x + 18, y + 14), {25, 25, 25});
+                    picture.rectangle(at + Eigen::Vector2d(x, y), at + Eigen::Vector2d(x + 18, y + 14),
+                                      {25, 25, 25});
             const Observation seen = (*tracker)->track(picture.frame(i, double(i) / 30, 2, random)).front();
-            wrong += !seen.found || (seen.ellipse.centrePx - (at + Eigen::Vector2d(34, 24))).norm() > 1 || std::abs(seen.areaPx / (68 * 48) - 1) > 0.05;
+            wrong += !seen.found || (seen.ellipse.centrePx - (at + Eigen::Vector2d(34, 24))).norm() > 1 ||
+                     std::abs(seen.areaPx / (68 * 48) - 1) > 0.05;
         }
         QCOMPARE(wrong, 0);
     }
@@ -312,7 +338,8 @@ private Q_SLOTS:
         QCOMPARE(wrong, 0);
     }
 
-    /// While two are one silhouette neither is measured; each is found again as soon as they part, as large as it was.
+    /// While two are one silhouette neither is measured; each is found again as soon as they part, as large
+    /// as it was.
     void whatShowsTwoRobotsIsNeither()
     {
         const Painter floor = texturedFloor(format);
@@ -328,14 +355,16 @@ private Q_SLOTS:
             together += touch;
             const auto seen = (*tracker)->track(picture.frame(i, double(i) / 30, 2, random));
             const auto isOneOf = [&](const Observation &one) {
-                return (one.ellipse.centrePx - Eigen::Vector2d(x + 30, 170)).norm() < 1 || (one.ellipse.centrePx - Eigen::Vector2d(other + 30, 190)).norm() < 1;
+                return (one.ellipse.centrePx - Eigen::Vector2d(x + 30, 170)).norm() < 1 ||
+                       (one.ellipse.centrePx - Eigen::Vector2d(other + 30, 190)).norm() < 1;
             };
             for (const Observation &one : seen) {
                 wrong += one.found == touch || (one.found && !isOneOf(one));
                 unsure += one.found && one.score < 0.5;
             }
         }
-        QVERIFY2(together > 8 && wrong <= 4 && unsure == 0, qPrintable(QStringLiteral("%1 %2 %3").arg(together).arg(wrong).arg(unsure)));
+        QVERIFY2(together > 8 && wrong <= 4 && unsure == 0,
+                 qPrintable(QStringLiteral("%1 %2 %3").arg(together).arg(wrong).arg(unsure)));
     }
 
     void withoutABackgroundNothingIsFound()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/demo_testbed.h"
+#include "core/simulation/internal/robot_body.h"
 #include "core/simulation/renderer.h"
-#include "core/simulation/robot_body.h"
 #include "core/tracking/colour_tracker.h"
 #include "tests/support/registered_test.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/tracking/size_on_floor.h"
+#include "core/tracking/internal/silhouette_tracker.h"
 
 #include "tests/support/registered_test.h"
 
@@ -22,7 +22,8 @@ FloorView cameraAt(const Eigen::Vector3d &place)
     axes.col(2) = -place.normalized();
     axes.col(0) = axes.col(2).cross(Eigen::Vector3d::UnitZ()).normalized();
     axes.col(1) = axes.col(2).cross(axes.col(0));
-    return FloorView(*CameraModel::create(lens), {Eigen::Quaterniond(axes), place}, Eigen::Matrix<double, 6, 6>::Zero());
+    return FloorView(*CameraModel::create(lens), {Eigen::Quaterniond(axes), place},
+                     Eigen::Matrix<double, 6, 6>::Zero());
 }
 
 /// The box in the picture of an upright box that stands about the world's middle.
@@ -32,11 +33,13 @@ PixelRect pictureOf(const FloorView &view, const Eigen::Vector3d &sizeM)
     for (const double x : {-0.5, 0.5})
         for (const double y : {-0.5, 0.5})
             for (const double z : {0.0, 1.0}) {
-                const Eigen::Vector2d pixel = *view.pixelFromWorld({x * sizeM.x(), y * sizeM.y(), z * sizeM.z()});
+                const Eigen::Vector2d pixel =
+                    *view.pixelFromWorld({x * sizeM.x(), y * sizeM.y(), z * sizeM.z()});
                 low = low.cwiseMin(pixel);
                 high = high.cwiseMax(pixel);
             }
-    return {int(std::lround(low.x())), int(std::lround(low.y())), int(std::lround(high.x())) + 1, int(std::lround(high.y())) + 1};
+    return {int(std::lround(low.x())), int(std::lround(low.y())), int(std::lround(high.x())) + 1,
+            int(std::lround(high.y())) + 1};
 }
 
 } // namespace
@@ -55,9 +58,11 @@ private Q_SLOTS:
     {
         QFETCH(double, cameraHeightM);
         const FloorView view = cameraAt({-2.2, -1.6, cameraHeightM});
-        for (const Eigen::Vector3d &robot : {Eigen::Vector3d(0.2, 0.15, 0.1), Eigen::Vector3d(0.3, 0.3, 0.4), Eigen::Vector3d(0.6, 0.5, 0.3)})
+        for (const Eigen::Vector3d &robot : {Eigen::Vector3d(0.2, 0.15, 0.1), Eigen::Vector3d(0.3, 0.3, 0.4),
+                                             Eigen::Vector3d(0.6, 0.5, 0.3)})
             QVERIFY(!isTooLargeForRobot(view, pictureOf(view, robot)));
-        for (const Eigen::Vector3d &person : {Eigen::Vector3d(0.3, 0.5, 1.7), Eigen::Vector3d(0.25, 0.4, 1.45)})
+        for (const Eigen::Vector3d &person :
+             {Eigen::Vector3d(0.3, 0.5, 1.7), Eigen::Vector3d(0.25, 0.4, 1.45)})
             QVERIFY(cameraHeightM < 1.2 || isTooLargeForRobot(view, pictureOf(view, person)));
         QVERIFY(isTooLargeForRobot(view, pictureOf(view, {2.5, 0.3, 0.1})));
     }

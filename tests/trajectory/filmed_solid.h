@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/convex_hull.h"
+#include "core/geometry/polygon.h"
 #include "core/geometry/silhouette.h"
-#include "core/geometry/support.h"
 #include "tests/trajectory/synthetic_trial.h"
 
 #include <Eigen/Eigenvalues>
@@ -26,7 +25,7 @@ inline double headingOf(const Truth &truth)
 
 /// What a view sees of a solid that runs a course with its length ahead.
 inline ViewTrack filmSolid(const std::string &name, const FloorView &view, const SolidShape &shape,
-                    const Course &course, double noisePx, std::mt19937 &random)
+                           const Course &course, double noisePx, std::mt19937 &random)
 {
     FilmSettings settings;
     settings.noisePx = noisePx;
@@ -45,13 +44,15 @@ inline ViewTrack filmSolid(const std::string &name, const FloorView &view, const
 }
 
 /// The same with the support of each outline, as it is measured of a silhouette.
-inline ViewTrack filmSilhouette(const std::string &name, const FloorView &view, const SolidShape &shape, const Course &course, double noisePx, std::mt19937 &random)
+inline ViewTrack filmSilhouette(const std::string &name, const FloorView &view, const SolidShape &shape,
+                                const Course &course, double noisePx, std::mt19937 &random)
 {
     ViewTrack track = filmSolid(name, view, shape, course, noisePx, random);
     std::normal_distribution<double> noise(0, noisePx);
     for (Observation &observation : track.observations) {
         const Truth truth = course(toSeconds(observation.time));
-        observation.supportPx = *silhouetteSupport(view, shape, truth.position, headingOf(truth), observation.ellipse.centrePx);
+        observation.supportPx =
+            *silhouetteSupport(view, shape, truth.position, headingOf(truth), observation.ellipse.centrePx);
         for (float &reach : observation.supportPx)
             reach += float(noise(random));
     }
@@ -59,7 +60,8 @@ inline ViewTrack filmSilhouette(const std::string &name, const FloorView &view, 
 }
 
 /// The same of the convex hull of some points, which need not be a solid of levels. Robot's frame, metres.
-inline ViewTrack filmHull(const std::string &name, const FloorView &view, const std::vector<Eigen::Vector3d> &body, const Course &course, double noisePx,
+inline ViewTrack filmHull(const std::string &name, const FloorView &view,
+                          const std::vector<Eigen::Vector3d> &body, const Course &course, double noisePx,
                           std::mt19937 &random)
 {
     ViewTrack track = film(name, view, course, {}, random);
@@ -69,7 +71,8 @@ inline ViewTrack filmHull(const std::string &name, const FloorView &view, const 
         const Eigen::AngleAxisd turn(headingOf(truth), Eigen::Vector3d::UnitZ());
         std::vector<Eigen::Vector2d> points;
         for (const Eigen::Vector3d &point : body)
-            points.push_back(*view.pixelFromWorld(turn * point + Eigen::Vector3d(truth.position.x(), truth.position.y(), 0)));
+            points.push_back(*view.pixelFromWorld(
+                turn * point + Eigen::Vector3d(truth.position.x(), truth.position.y(), 0)));
         const RegionMoments moments = polygonMoments(convexHull(points));
         observation.ellipse = ellipseOf(moments);
         observation.ellipse.centrePx += Eigen::Vector2d(noise(random), noise(random));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "synthetic_trial.h"
+#include "tests/trajectory/synthetic_trial.h"
 
 #include <set>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/trajectory/profile_points.h"
-#include "core/trajectory/spike_flags.h"
+#include "core/trajectory/internal/spike_flags.h"
+#include "core/trajectory/internal/track_profile.h"
 
-#include "synthetic_trial.h"
+#include "tests/trajectory/synthetic_trial.h"
 
 namespace odo::test {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "synthetic_trial.h"
 #include "tests/support/registered_test.h"
+#include "tests/trajectory/synthetic_trial.h"
 
 #include <QTest>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/trajectory/body_direction.h"
+#include "core/trajectory/internal/body_direction.h"
 
 #include "tests/support/registered_test.h"
 
@@ -32,7 +32,8 @@ Path circle(double radiusM, bool isToTheLeft)
 {
     return [=](double t) {
         const double angle = 0.5 / radiusM * t;
-        return Eigen::Vector2d(radiusM * std::sin(angle), (isToTheLeft ? 1 : -1) * radiusM * (1 - std::cos(angle)));
+        return Eigen::Vector2d(radiusM * std::sin(angle),
+                               (isToTheLeft ? 1 : -1) * radiusM * (1 - std::cos(angle)));
     };
 }
 
@@ -61,9 +62,12 @@ private Q_SLOTS:
             const auto motion = motionAt(views, fromSeconds(t));
             QVERIFY(motion.has_value());
             const double direction = (isToTheLeft ? 1 : -1) * 0.5 / radius * t;
-            // A parabola over half a second is not quite the circle: the speed comes out 0.6 % too small at one turn in 6 s, the curvature 0.8 % too large.
-            QVERIFY2(std::abs(std::remainder(motion->directionRad - direction, 2 * std::numbers::pi)) < 0.002, qPrintable(QString::number(motion->directionRad)));
-            QVERIFY2(std::abs(motion->curvature * radius - (isToTheLeft ? 1 : -1)) < 0.015, qPrintable(QString::number(motion->curvature)));
+            // A parabola over half a second is not quite the circle: the speed comes out 0.6 % too small at
+            // one turn in 6 s, the curvature 0.8 % too large.
+            QVERIFY2(std::abs(std::remainder(motion->directionRad - direction, 2 * std::numbers::pi)) < 0.002,
+                     qPrintable(QString::number(motion->directionRad)));
+            QVERIFY2(std::abs(motion->curvature * radius - (isToTheLeft ? 1 : -1)) < 0.015,
+                     qPrintable(QString::number(motion->curvature)));
         }
     }
 
@@ -72,7 +76,8 @@ private Q_SLOTS:
         const Path path = [](double t) { return Eigen::Vector2d(1 - 0.6 * t, 0.3 - 0.8 * t); };
         const auto motion = motionAt({seen(path, 0, 2)}, fromSeconds(1));
         QVERIFY(motion.has_value());
-        QVERIFY(std::abs(motion->directionRad - std::atan2(-0.8, -0.6)) < 1e-6); // times are whole nanoseconds
+        // times are whole nanoseconds
+        QVERIFY(std::abs(motion->directionRad - std::atan2(-0.8, -0.6)) < 1e-6);
         QVERIFY2(std::abs(motion->curvature) < 1e-6, qPrintable(QString::number(motion->curvature)));
     }
 
@@ -80,7 +85,9 @@ private Q_SLOTS:
     {
         std::mt19937 random(1);
         std::normal_distribution<double> noise(0, 0.001);
-        const Path standing = [&](double) { return Eigen::Vector2d(0.3 + noise(random), 0.2 + noise(random)); };
+        const Path standing = [&](double) {
+            return Eigen::Vector2d(0.3 + noise(random), 0.2 + noise(random));
+        };
         QVERIFY(!motionAt({seen(standing, 0, 2)}, fromSeconds(1)));
         const Path creeping = [](double t) { return Eigen::Vector2d(0.1 * t, 0); };
         QVERIFY(!motionAt({seen(creeping, 0, 2)}, fromSeconds(1)));
@@ -100,7 +107,8 @@ private Q_SLOTS:
         unseen[30].seen = true;
         unseen[30].place.pointInWorld = {9, 9};
         const auto motion = motionAt({unseen, seen(path, 0, 2)}, fromSeconds(1));
-        QVERIFY(motion && std::abs(motion->directionRad - 1) < 0.002 && std::abs(motion->curvature - 2) < 0.03);
+        QVERIFY(motion && std::abs(motion->directionRad - 1) < 0.002 &&
+                std::abs(motion->curvature - 2) < 0.03);
     }
 };
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/trajectory/filmed_solid.h"
 
-#include "core/trajectory/axis_path.h"
-#include "core/trajectory/axis_track.h"
-#include "core/trajectory/floor_positions.h"
-#include "core/trajectory/shape_estimation.h"
+#include "core/trajectory/internal/body_direction.h"
+#include "core/trajectory/internal/floor_positions.h"
+#include "core/trajectory/solid_choice.h"
 #include "tests/support/registered_test.h"
 
 #include <QTest>
@@ -74,7 +73,8 @@ private Q_SLOTS:
             evidence.push_back({i / 30.0, costs});
         }
         evidence[10].costs.reset();
-        for (const std::size_t bin : likeliestPath(evidence.size(), [&](std::size_t i) { return evidence[i]; }))
+        for (const std::size_t bin :
+             likeliestPath(evidence.size(), [&](std::size_t i) { return evidence[i]; }))
             QVERIFY(std::abs(angleOfBin(bin) - 0.3) < 0.1);
     }
 
@@ -214,7 +214,8 @@ private Q_SLOTS:
             QVERIFY(std::abs(estimate->shape.topM - 0.12) < 4 * estimate->sigmaTopM);
     }
 
-    /// One view cannot tell a low robot from a higher one whose body begins above the floor: what it leaves open is doubt.
+    /// One view cannot tell a low robot from a higher one whose body begins above the floor: what it leaves
+    /// open is doubt.
     void whatOneViewLeavesOpenIsDoubted_data()
     {
         QTest::addColumn<double>("base");
@@ -229,7 +230,8 @@ private Q_SLOTS:
         const auto estimate = estimateShape({filmSolid("A", cameraA(), shape, eight, 0.05, random)}, {});
         QVERIFY(estimate.has_value());
         const double off = std::abs(middleHeightM(estimate->shape) - middleHeightM(shape));
-        QVERIFY2(off < 3 * estimate->sigmaMiddleM, qPrintable(QStringLiteral("%1 at %2").arg(off).arg(estimate->sigmaMiddleM)));
+        QVERIFY2(off < 3 * estimate->sigmaMiddleM,
+                 qPrintable(QStringLiteral("%1 at %2").arg(off).arg(estimate->sigmaMiddleM)));
         QVERIFY2(estimate->sigmaMiddleM < 0.03, qPrintable(QString::number(estimate->sigmaMiddleM)));
     }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/trajectory/contradiction.h"
+#include "core/trajectory/view_disagreement.h"
 
 #include "tests/support/registered_test.h"
 
@@ -14,7 +14,8 @@ namespace {
 constexpr double sigmaM = 0.001;
 constexpr std::size_t times = 300;
 
-/// A view's sightings at 30 a second of a robot that drives straight on, with its noise, and beside the truth by as much.
+/// A view's sightings at 30 a second of a robot that drives straight on, with its noise, and beside the truth
+/// by as much.
 std::vector<Sighting> viewBeside(const Eigen::Vector2d &besideM, unsigned seed)
 {
     std::mt19937 random(seed);
@@ -23,8 +24,10 @@ std::vector<Sighting> viewBeside(const Eigen::Vector2d &besideM, unsigned seed)
     for (std::size_t i = 0; i < times; ++i) {
         sightings[i].time = Nanoseconds(std::int64_t(i) * 33'333'333);
         sightings[i].seen = true;
-        sightings[i].place.pointInWorld = Eigen::Vector2d(0.01 * double(i), 0) + besideM + Eigen::Vector2d(noise(random), noise(random));
-        sightings[i].place.pixelCovariance = sightings[i].place.calibrationCovariance = Eigen::Matrix2d::Identity() * sigmaM * sigmaM / 2;
+        sightings[i].place.pointInWorld =
+            Eigen::Vector2d(0.01 * double(i), 0) + besideM + Eigen::Vector2d(noise(random), noise(random));
+        sightings[i].place.pixelCovariance = sightings[i].place.calibrationCovariance =
+            Eigen::Matrix2d::Identity() * sigmaM * sigmaM / 2;
     }
     return sightings;
 }
@@ -53,7 +56,8 @@ private Q_SLOTS:
     void viewsThatAgreeStayAsTheyAre()
     {
         for (unsigned seed = 1; seed <= 50; ++seed) {
-            std::vector<std::vector<Sighting>> views{viewBeside({0, 0}, 2 * seed), viewBeside({0, 0}, 2 * seed + 1)};
+            std::vector<std::vector<Sighting>> views{viewBeside({0, 0}, 2 * seed),
+                                                     viewBeside({0, 0}, 2 * seed + 1)};
             QVERIFY(!any(settleContradictions(views)));
             QCOMPARE(sigmaOf(views[0][7]), sigmaM);
         }
@@ -65,11 +69,14 @@ private Q_SLOTS:
         std::vector<std::vector<Sighting>> views{viewBeside({0.02, 0}, 1), viewBeside({0, 0}, 2)};
         const std::vector<double> apartM = settleContradictions(views);
         QVERIFY(std::ranges::all_of(apartM, [](double one) { return std::abs(one - 0.02) < 0.006; }));
-        const FusedPosition fused = fuse(std::vector<ViewPosition>{{0, views[0][100].place}, {1, views[1][100].place}});
+        const FusedPosition fused =
+            fuse(std::vector<ViewPosition>{{0, views[0][100].place}, {1, views[1][100].place}});
         const double sigma = std::sqrt((fused.covariance + fused.commonCovariance).trace() / 2);
-        QVERIFY2(std::abs(sigma - 0.0155) < 0.001, qPrintable(QString::number(sigma))); // 20 mm / 2 / √2 · 4.30 / 1.96
+        // 20 mm / 2 / √2 · 4.30 / 1.96
+        QVERIFY2(std::abs(sigma - 0.0155) < 0.001, qPrintable(QString::number(sigma)));
         QVERIFY(std::abs(fused.position.x() - 1 - 0.01) < 0.002);
-        QVERIFY(fused.covariance.trace() < sigmaM * sigmaM); // from frame to frame it is as well known as before
+        // from frame to frame it is as well known as before
+        QVERIFY(fused.covariance.trace() < sigmaM * sigmaM);
     }
 
     void fromTheMomentOnOnWhichItIsMoved()
@@ -84,7 +91,8 @@ private Q_SLOTS:
 
     void ofThreeViewsTheOddOneIsLeftOut()
     {
-        std::vector<std::vector<Sighting>> views{viewBeside({0, 0}, 1), viewBeside({0, 0.02}, 2), viewBeside({0, 0}, 3)};
+        std::vector<std::vector<Sighting>> views{viewBeside({0, 0}, 1), viewBeside({0, 0.02}, 2),
+                                                 viewBeside({0, 0}, 3)};
         QVERIFY(any(settleContradictions(views)));
         for (const std::size_t v : {std::size_t(0), std::size_t(2)}) {
             QCOMPARE(sigmaOf(views[v][100]), sigmaM);
@@ -95,16 +103,19 @@ private Q_SLOTS:
 
     void ofThreeThatAllContradictAllAreWidened()
     {
-        std::vector<std::vector<Sighting>> views{viewBeside({0, 0}, 1), viewBeside({0, 0.02}, 2), viewBeside({0.02, 0}, 3)};
+        std::vector<std::vector<Sighting>> views{viewBeside({0, 0}, 1), viewBeside({0, 0.02}, 2),
+                                                 viewBeside({0.02, 0}, 3)};
         QVERIFY(any(settleContradictions(views)));
         for (const auto &view : views)
             QVERIFY(view[100].seen && sigmaOf(view[100]) > 0.008);
     }
 
-    /// Half a second is a false sighting, and half a metre something else: neither is a camera that was moved.
+    /// Half a second is a false sighting, and half a metre something else: neither is a camera that was
+    /// moved.
     void falseSightingsAreNone()
     {
-        std::vector<std::vector<Sighting>> glance{viewBeside({0, 0}, 1), viewBeside({0, 0}, 2)}, apart{viewBeside({0.5, 0}, 1), viewBeside({0, 0}, 2)};
+        std::vector<std::vector<Sighting>> glance{viewBeside({0, 0}, 1), viewBeside({0, 0}, 2)},
+            apart{viewBeside({0.5, 0}, 1), viewBeside({0, 0}, 2)};
         for (std::size_t i = 100; i < 115; ++i)
             glance[0][i].place.pointInWorld.y() += 0.1;
         QVERIFY(!any(settleContradictions(glance)));
@@ -126,7 +137,8 @@ private Q_SLOTS:
         const auto refused = checkAgreement(samples);
         QVERIFY(!refused);
         QCOMPARE(QString::fromStdString(refused.error().why),
-                 QStringLiteral("the views put it 208 mm apart: a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else"));
+                 QStringLiteral("the views put it 208 mm apart: a camera was moved after it was registered, "
+                                "the videos belong to other cameras, or one view follows something else"));
         for (std::size_t i = 0; i < 20; ++i)
             samples[i].flags = 0;
         QVERIFY(checkAgreement(samples));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/renderer.h"
 #include "core/tracking/colour_tracker.h"
+#include "core/trajectory/internal/name_evidence.h"
 #include "core/trajectory/name_assignment.h"
-#include "core/trajectory/tracklets.h"
 #include "tests/support/registered_test.h"
 #include "tests/tracking/crossing_scenes.h"
 

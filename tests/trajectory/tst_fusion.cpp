@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/trajectory/fusion.h"
-#include "core/trajectory/height_estimation.h"
-#include "core/trajectory/view_alignment.h"
-#include "core/trajectory/view_interpolation.h"
+#include "core/trajectory/internal/fused_track.h"
+#include "core/trajectory/internal/height_estimation.h"
+#include "core/trajectory/internal/view_alignment.h"
 
-#include "synthetic_trial.h"
 #include "tests/support/registered_test.h"
+#include "tests/trajectory/synthetic_trial.h"
 
 #include <Eigen/Cholesky>
 #include <QTest>
@@ -126,9 +125,9 @@ private Q_SLOTS:
         // Straight down from 2 m, 1000 px: a pixel is 2 mm. Of the outline 0.05 px last through the run.
         Intrinsics lens{1280, 720, 1000, 1000, 640, 360, LensModel::Standard, {0, 0, 0, 0, 0}, {}};
         ViewTrack view;
-        view.floorView = FloorView(*CameraModel::create(lens),
-                                   {Eigen::Quaterniond(0, 1, 0, 0), Eigen::Vector3d(0, 0, 2)},
-                                   Eigen::Matrix<double, 6, 6>::Zero());
+        view.floorView =
+            FloorView(*CameraModel::create(lens), {Eigen::Quaterniond(0, 1, 0, 0), Eigen::Vector3d(0, 0, 2)},
+                      Eigen::Matrix<double, 6, 6>::Zero());
         Observation observation;
         observation.found = true;
         observation.ellipse.centrePx = {700, 300};

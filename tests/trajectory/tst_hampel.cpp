@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/trajectory/hampel.h"
+#include "core/trajectory/internal/spike_search.h"
 
 #include "tests/support/registered_test.h"
 

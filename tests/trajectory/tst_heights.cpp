@@ -18,7 +18,8 @@ class TestHeights : public QObject
         FilmSettings settings;
         settings.planeM = heightM;
         const Course course = figureEight(0.8, 0.4, 8);
-        return {film("A", cameraA(), course, settings, random), film("B", cameraB(), course, settings, random)};
+        return {film("A", cameraA(), course, settings, random),
+                film("B", cameraB(), course, settings, random)};
     }
 
     /// On a ramp: as filmed, but the point's height follows a function of time.
@@ -32,8 +33,9 @@ class TestHeights : public QObject
             for (Observation &observation : view.observations) {
                 const double t = toSeconds(observation.time);
                 const Eigen::Vector2d place = course(t).position;
-                observation.ellipse.centrePx = *view.floorView->pixelFromWorld({place.x(), place.y(), heightM(t)}) +
-                                               Eigen::Vector2d(noise(random), noise(random));
+                observation.ellipse.centrePx =
+                    *view.floorView->pixelFromWorld({place.x(), place.y(), heightM(t)}) +
+                    Eigen::Vector2d(noise(random), noise(random));
             }
         }
         return views;
@@ -42,7 +44,8 @@ class TestHeights : public QObject
 private Q_SLOTS:
     void aSmallMarkOnAMastIsLaidAtItsOwnHeight()
     {
-        // The outline is 80 px long, a body of 1 m height would span several hundred: what is seen is only its top.
+        // The outline is 80 px long, a body of 1 m height would span several hundred: what is seen is only
+        // its top.
         const auto profile = analyse(filmed(1.0, 1), {1.0, {}, {}, false}, {});
         QVERIFY(profile.has_value());
         QVERIFY(errorsOf(*profile, figureEight(0.8, 0.4, 8)).positionM < 0.002);
@@ -72,19 +75,21 @@ private Q_SLOTS:
         const auto varying = analyse(views, {{}, {}, {}, true}, {});
         QVERIFY(varying.has_value());
         // 0.3 px is about 1 mm here; what is left of the height's noise is of the same size.
-        QVERIFY2(errorsOf(*varying, course).positionM < 0.003, qPrintable(QString::number(errorsOf(*varying, course).positionM)));
+        QVERIFY2(errorsOf(*varying, course).positionM < 0.003,
+                 qPrintable(QString::number(errorsOf(*varying, course).positionM)));
     }
 
     void aWrongHeightIsMendedByTheBearingsOfTwoViews()
     {
-        // Told 0.5 m, but between 0.05 and 0.45 m: one view alone is off by up to half a metre, both together see where
-        // their bearings cross.
+        // Told 0.5 m, but between 0.05 and 0.45 m: one view alone is off by up to half a metre, both together
+        // see where their bearings cross.
         const auto ramp = [](double t) { return 0.25 + 0.2 * std::sin(0.8 * t); };
         auto views = filmedOnRamp(ramp, 6);
         const Course course = figureEight(0.8, 0.4, 8);
         const auto both = analyse(views, {0.5, {}, {}, false}, {});
         QVERIFY(both.has_value());
-        QVERIFY2(errorsOf(*both, course).positionM < 0.03, qPrintable(QString::number(errorsOf(*both, course).positionM)));
+        QVERIFY2(errorsOf(*both, course).positionM < 0.03,
+                 qPrintable(QString::number(errorsOf(*both, course).positionM)));
         views.resize(1);
         const auto one = analyse(views, {0.5, {}, {}, false}, {});
         QVERIFY(!one.has_value() || errorsOf(*one, course).positionM > 0.1);

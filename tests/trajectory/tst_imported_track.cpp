@@ -21,7 +21,8 @@ class TestImportedTrack : public QObject
         for (int i = 0; i <= seconds * perSecond; ++i) {
             const double t = i / perSecond;
             track.push_back({fromSeconds(t),
-                             Eigen::Vector2d(0.5 * std::cos(2 * t) + noiseM * noise(random), 0.5 * std::sin(2 * t) + noiseM * noise(random)),
+                             Eigen::Vector2d(0.5 * std::cos(2 * t) + noiseM * noise(random),
+                                             0.5 * std::sin(2 * t) + noiseM * noise(random)),
                              {}});
         }
         return track;
@@ -41,7 +42,8 @@ private Q_SLOTS:
         for (const double noiseM : {0.0005, 0.002, 0.01, 0.05})
             QTest::addRow("%g mm", 1e3 * noiseM) << noiseM;
     }
-    /// Of 1200 coordinates a standard deviation is known to 2 %; that some of it looks like motion takes a little more.
+    /// Of 1200 coordinates a standard deviation is known to 2 %; that some of it looks like motion takes a
+    /// little more.
     void noiseIsEstimated()
     {
         QFETCH(double, noiseM);
@@ -105,9 +107,11 @@ private Q_SLOTS:
         const auto profile = analyseImported(raw, options);
         QVERIFY(profile);
         QVERIFY(std::abs(metricOf(*profile, "mean_speed") - 0.1) < 0.001);
-        QCOMPARE(optionsForImported({}, samplesOfImported(circle(0), 0.001)).longestBridgedGap, AnalysisOptions().longestBridgedGap);
+        QCOMPARE(optionsForImported({}, samplesOfImported(circle(0), 0.001)).longestBridgedGap,
+                 AnalysisOptions().longestBridgedGap);
     }
-    /// A long track is analysed in parts: as it would be at once, its spikes where they are, and never with much of it in memory.
+    /// A long track is analysed in parts: as it would be at once, its spikes where they are, and never with
+    /// much of it in memory.
     void longTracksArePartedUnseen()
     {
         std::vector<ImportedPosition> track = circle(0.001, 2000, 100);
@@ -116,7 +120,8 @@ private Q_SLOTS:
             *track[at].position += Eigen::Vector2d(0.3, 0);
         const ImportedSeries series(track, 0.001);
         std::size_t asked = 0, most = 0;
-        const SampleSource source{series.size(), [&](std::size_t first, std::size_t count) -> Result<std::vector<Sample>> {
+        const SampleSource source{series.size(),
+                                  [&](std::size_t first, std::size_t count) -> Result<std::vector<Sample>> {
                                       asked += count;
                                       most = std::max(most, count);
                                       std::vector<Sample> samples;
@@ -130,11 +135,15 @@ private Q_SLOTS:
         QVERIFY(profile->samples.empty());
         QCOMPARE(profile->flags.size(), source.count);
         QCOMPARE(profile->points.size(), source.count);
-        QVERIFY2(asked < source.count * 5 / 4 + 50'000, qPrintable(QString::number(asked))); // each once, beside margins and what is learnt from
+        // each once, beside margins and what is learnt from
+        QVERIFY2(asked < source.count * 5 / 4 + 50'000, qPrintable(QString::number(asked)));
         QVERIFY2(most < 20'000, qPrintable(QString::number(most)));
         for (const std::size_t at : spikes)
             QVERIFY2(hasFlag(profile->flags[at], SampleFlag::Jump), qPrintable(QString::number(at)));
-        QVERIFY(std::ranges::any_of(profile->spikes, [](const Spike &spike) { return spike.sampleIndex == 65'536 && spike.time == fromSeconds(655.36) && spike.reason.starts_with("jump of "); }));
+        QVERIFY(std::ranges::any_of(profile->spikes, [](const Spike &spike) {
+            return spike.sampleIndex == 65'536 && spike.time == fromSeconds(655.36) &&
+                   spike.reason.starts_with("jump of ");
+        }));
         QVERIFY(std::abs(metricOf(*profile, "mean_speed") - 1) < 0.001);
         QVERIFY(std::abs(metricOf(*profile, "duration") - 2000) < 0.1);
 
@@ -144,7 +153,8 @@ private Q_SLOTS:
         QVERIFY(around);
         for (std::size_t i = 4000; i < 7000; ++i) {
             const ProfilePoint &at = profile->points[from + i], &expected = around->points[i];
-            // The noise was learnt from other stretches, so that the curve bends a little otherwise: by less than a third of its σ.
+            // The noise was learnt from other stretches, so that the curve bends a little otherwise: by less
+            // than a third of its σ.
             QVERIFY((at.position - expected.position).norm() < expected.sigmaXM / 3);
             QVERIFY(std::abs(at.speedMps - expected.speedMps) < expected.sigmaSpeedMps / 3);
         }
@@ -153,7 +163,8 @@ private Q_SLOTS:
     {
         const ImportedSeries series(circle(0.001, 2000, 100), 0.001);
         JobControl control;
-        const SampleSource source{series.size(), [&](std::size_t first, std::size_t count) -> Result<std::vector<Sample>> {
+        const SampleSource source{series.size(),
+                                  [&](std::size_t first, std::size_t count) -> Result<std::vector<Sample>> {
                                       return std::vector<Sample>(count, series.sample(first));
                                   }};
         control.cancel.cancel();
@@ -164,7 +175,8 @@ private Q_SLOTS:
     {
         const auto profile = analyseImported(samplesOfImported(circle(0.001, 0.05), 0.001), {});
         QVERIFY(!profile);
-        QCOMPARE(profile.error().message(), std::string("the robot's path cannot be measured: not enough data: of 2 frames 2 give a position that can be "
+        QCOMPARE(profile.error().message(), std::string("the robot's path cannot be measured: not enough "
+                                                        "data: of 2 frames 2 give a position that can be "
                                                         "used; choose a track with more positions"));
     }
 };

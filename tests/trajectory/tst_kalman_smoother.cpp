@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/trajectory/kalman_smoother.h"
+#include "core/trajectory/internal/kalman_smoother.h"
 
 #include "tests/support/registered_test.h"
 
@@ -60,7 +60,8 @@ Simulated simulate(int count, double dt, double density, double sigmaM, std::mt1
 std::vector<MotionEstimate> smoothed(std::span<const TrackNode> nodes, MotionNoise noise)
 {
     std::vector<MotionEstimate> estimates(nodes.size());
-    smoothMotion(nodes, noise, [&](std::size_t i, const MotionEstimate &estimate) { estimates[i] = estimate; });
+    smoothMotion(nodes, noise,
+                 [&](std::size_t i, const MotionEstimate &estimate) { estimates[i] = estimate; });
     return estimates;
 }
 
@@ -73,7 +74,8 @@ private Q_SLOTS:
     /// A covariance of nearly nothing between the axes takes the way in which they are not apart.
     void axesApartGiveTheSame()
     {
-        auto apart = track(400, 0.02, 0.004, [](double t) { return Eigen::Vector2d(std::sin(t), 0.3 * t * t); }, 5);
+        auto apart = track(
+            400, 0.02, 0.004, [](double t) { return Eigen::Vector2d(std::sin(t), 0.3 * t * t); }, 5);
         for (std::size_t i = 0; i < apart.size(); ++i) {
             apart[i].covariance(1, 1) *= 1.5;
             apart[i].measured = i % 7 != 3;
@@ -196,7 +198,8 @@ private Q_SLOTS:
             Simulated simulated = simulate(60, dt, density, sigmaM, random);
             const double since = dt * even(random);
             const Eigen::Vector2d speed = blowSpeedSigmaMps * Eigen::Vector2d(normal(random), normal(random));
-            const Eigen::Vector2d accel = blowAccelSigmaMps2 * Eigen::Vector2d(normal(random), normal(random));
+            const Eigen::Vector2d accel =
+                blowAccelSigmaMps2 * Eigen::Vector2d(normal(random), normal(random));
             for (int i = struck; i < 60; ++i) {
                 const double t = since + (i - struck) * dt;
                 auto &state = simulated.states[static_cast<std::size_t>(i)];
@@ -278,8 +281,9 @@ private Q_SLOTS:
 
     void aLongTrackIsSmoothedAsOne()
     {
-        // Equal steps: far from the ends all covariances are the same, and nodes that far apart tell nothing of one
-        // another. So a long track must show no seam, and its middle must be that of a piece around it, to rounding.
+        // Equal steps: far from the ends all covariances are the same, and nodes that far apart tell nothing
+        // of one another. So a long track must show no seam, and its middle must be that of a piece around
+        // it, to rounding.
         std::mt19937 random(21);
         const Simulated simulated = simulate(4000, 1.0 / 30, 5, 0.002, random);
         const auto all = smoothed(simulated.nodes, {5, 1});

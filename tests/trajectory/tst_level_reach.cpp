@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/trajectory/synthetic_trial.h"
 
-#include "core/trajectory/level_reach.h"
+#include "core/trajectory/internal/level_reach.h"
 #include "tests/support/registered_test.h"
 
 #include <QTest>
@@ -36,7 +36,9 @@ Reach reachOfRims(const FloorView &view, const SolidShape &shape, const Eigen::V
     for (const SolidLevel &level : shape.levels) {
         for (int i = 0; i < 5000; ++i) {
             const double angle = 2 * std::numbers::pi * i / 5000;
-            const auto pixel = view.pixelFromWorld({place.x() + level.frontM * std::cos(angle), place.y() + level.frontM * std::sin(angle), level.heightM});
+            const auto pixel =
+                view.pixelFromWorld({place.x() + level.frontM * std::cos(angle),
+                                     place.y() + level.frontM * std::sin(angle), level.heightM});
             for (std::size_t k = 0; k < supportDirections; ++k)
                 reach[k] = std::max(reach[k], supportDirection(k).dot(*pixel));
         }
@@ -76,8 +78,10 @@ private Q_SLOTS:
         for (const Eigen::Vector2d &place : {Eigen::Vector2d(0, 0), Eigen::Vector2d(0.7, 0.2)}) {
             const double pose[] = {place.x(), place.y(), 0.4};
             Reach reach;
-            QVERIFY(reachOfLevels(view, levelsOfShape<double>(shape), shape.roundShare, pose, reach, nothingMore));
-            // A tenth of what a silhouette's edge is known to; 5000 points leave 1e-4 px. An ellipse about the middle's picture is a pixel off.
+            QVERIFY(reachOfLevels(view, levelsOfShape<double>(shape), shape.roundShare, pose, reach,
+                                  nothingMore));
+            // A tenth of what a silhouette's edge is known to; 5000 points leave 1e-4 px. An ellipse about
+            // the middle's picture is a pixel off.
             const double worst = worstDifference(reach, reachOfRims(view, shape, place));
             QVERIFY2(worst < 0.03, qPrintable(QString::number(worst)));
         }
@@ -89,7 +93,8 @@ private Q_SLOTS:
         const SolidShape shape = roundShape({0.10, 0.15, 0.05}, {0.01, 0.06, 0.2});
         const double pose[] = {0.3, -0.2, 0};
         Reach reach;
-        QVERIFY(reachOfLevels(cameraA(), levelsOfShape<double>(shape), shape.roundShare, pose, reach, nothingMore));
+        QVERIFY(reachOfLevels(cameraA(), levelsOfShape<double>(shape), shape.roundShare, pose, reach,
+                              nothingMore));
         const double worst = worstDifference(reach, reachOfRims(cameraA(), shape, {0.3, -0.2}));
         QVERIFY2(worst < 0.03, qPrintable(QString::number(worst)));
     }
@@ -105,19 +110,25 @@ private Q_SLOTS:
         const FloorView view = cameraA();
         const Jet pose[] = {Jet(0.3, 0), Jet(-0.2, 1), Jet(0.5, 2)};
         std::array<Jet, supportDirections> reach;
-        QVERIFY(reachOfLevels(view, levelsOfShape<Jet>(shape), Jet(shape.roundShare), pose, reach, nothingMore));
+        QVERIFY(
+            reachOfLevels(view, levelsOfShape<Jet>(shape), Jet(shape.roundShare), pose, reach, nothingMore));
         constexpr double step = 1e-5;
         for (int by = 0; by < 3; ++by) {
             double less[] = {0.3, -0.2, 0.5}, more[] = {0.3, -0.2, 0.5};
             less[by] -= step;
             more[by] += step;
             Reach before, behind;
-            QVERIFY(reachOfLevels(view, levelsOfShape<double>(shape), shape.roundShare, less, before, nothingMore));
-            QVERIFY(reachOfLevels(view, levelsOfShape<double>(shape), shape.roundShare, more, behind, nothingMore));
+            QVERIFY(reachOfLevels(view, levelsOfShape<double>(shape), shape.roundShare, less, before,
+                                  nothingMore));
+            QVERIFY(reachOfLevels(view, levelsOfShape<double>(shape), shape.roundShare, more, behind,
+                                  nothingMore));
             for (std::size_t k = 0; k < supportDirections; ++k) {
                 const double slope = (behind[k] - before[k]) / (2 * step);
                 // Hundreds of pixels a metre; the point that touches wanders a little with the pose.
-                QVERIFY2(std::abs(reach[k].v[by] - slope) < 1.0, qPrintable(QStringLiteral("%1 %2: %3 not %4").arg(by).arg(k).arg(reach[k].v[by]).arg(slope)));
+                QVERIFY2(
+                    std::abs(reach[k].v[by] - slope) < 1.0,
+                    qPrintable(
+                        QStringLiteral("%1 %2: %3 not %4").arg(by).arg(k).arg(reach[k].v[by]).arg(slope)));
             }
         }
     }
@@ -128,12 +139,15 @@ private Q_SLOTS:
         const SolidShape shape = roundShape({0.1, 0.1, 0.1}, {0.02, 0.05, 0.08});
         const double pose[] = {0.3, -0.2, 0};
         Reach plain, wider;
-        QVERIFY(reachOfLevels(cameraA(), levelsOfShape<double>(shape), shape.roundShare, pose, plain, nothingMore));
+        QVERIFY(reachOfLevels(cameraA(), levelsOfShape<double>(shape), shape.roundShare, pose, plain,
+                              nothingMore));
         const auto farther = [](std::size_t, const Eigen::Vector3d &slope) { return 0.01 * slope.norm(); };
-        QVERIFY(reachOfLevels(cameraA(), levelsOfShape<double>(shape), shape.roundShare, pose, wider, farther));
+        QVERIFY(
+            reachOfLevels(cameraA(), levelsOfShape<double>(shape), shape.roundShare, pose, wider, farther));
         const double pxPerM = 950 / (cameraA().cameraInWorld() - Eigen::Vector3d(0.3, -0.2, 0.05)).norm();
         for (std::size_t k = 0; k < supportDirections; ++k)
-            QVERIFY(std::abs((wider[k] - plain[k]) / (0.01 * pxPerM) - 1) < 0.1); // a touching point is up to 5 % nearer than the middle
+            // a touching point is up to 5 % nearer than the middle
+            QVERIFY(std::abs((wider[k] - plain[k]) / (0.01 * pxPerM) - 1) < 0.1);
     }
 
     void behindTheCameraThereIsNone()
@@ -141,15 +155,18 @@ private Q_SLOTS:
         const SolidShape shape = roundShape({0.1, 0.1, 0.1}, {0.02, 0.05, 0.08});
         const double pose[] = {-4, -5, 0};
         Reach reach;
-        QVERIFY(!reachOfLevels(cameraA(), levelsOfShape<double>(shape), shape.roundShare, pose, reach, nothingMore));
+        QVERIFY(!reachOfLevels(cameraA(), levelsOfShape<double>(shape), shape.roundShare, pose, reach,
+                               nothingMore));
     }
 
     void whatIsFarOffCountsLessAndLess()
     {
         QCOMPARE(limitedDifference(0.001), 0.001);
         QVERIFY(std::abs(limitedDifference(0.1) - 0.1) < 1e-4);
-        QVERIFY(std::abs(limitedDifference(30.0) + limitedDifference(-30.0)) < 1e-12 && limitedDifference(30.0) < 7);
-        // The picture is right where what was seen is as far as the solid, but for how much all is drawn too wide.
+        QVERIFY(std::abs(limitedDifference(30.0) + limitedDifference(-30.0)) < 1e-12 &&
+                limitedDifference(30.0) < 7);
+        // The picture is right where what was seen is as far as the solid, but for how much all is drawn too
+        // wide.
         Reach reach;
         std::vector<float> seen(supportDirections, 20.0F);
         for (std::size_t k = 0; k < supportDirections; ++k)

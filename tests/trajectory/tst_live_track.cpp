@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/live_track.h"
-#include "synthetic_trial.h"
 #include "tests/support/registered_test.h"
+#include "tests/trajectory/synthetic_trial.h"
 
 #include <QTest>
 

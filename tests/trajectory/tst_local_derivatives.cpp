@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/trajectory/local_derivatives.h"
+#include "core/trajectory/internal/track_profile.h"
 
 #include "tests/support/registered_test.h"
 

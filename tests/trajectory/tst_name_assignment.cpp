@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/chroma.h"
+#include "core/trajectory/internal/name_evidence.h"
 #include "core/trajectory/name_assignment.h"
-#include "core/trajectory/tracklets.h"
 #include "tests/support/registered_test.h"
 #include "tests/trajectory/synthetic_trial.h"
 
@@ -330,7 +330,8 @@ void TestNameAssignment::sixOfOneLook()
     std::mt19937 random(10);
     const std::vector<FilmedView> cameras{{cameraA(), 0, {}, {}}, {cameraB(), 0.02, {}, {}}};
     auto filmed = filmAll(cameras, courses, std::vector<RgbColour>(6, red), random);
-    std::ranges::rotate(filmed[1].robots, filmed[1].robots.begin() + 2); // the second tracker found them in another order
+    // the second tracker found them in another order
+    std::ranges::rotate(filmed[1].robots, filmed[1].robots.begin() + 2);
     std::swap(filmed[1].robots[0], filmed[1].robots[4]);
     const NameOutcome outcome = assignNames(filmed, std::vector<NamedRobot>(6));
     QVERIFY(outcome.renamed > 0);
@@ -342,22 +343,27 @@ void TestNameAssignment::sixOfOneLook()
 void TestNameAssignment::oneOfTwoIsNamedOnce()
 {
     std::mt19937 random(11);
-    auto filmed = filmAll({{cameraA(), 0, {}, {}}, {cameraB(), 0, {}, {}}}, {shuttle(0, 0.9, 4), shuttle(0.35, -0.9, 4)}, {red, red}, random);
+    auto filmed = filmAll({{cameraA(), 0, {}, {}}, {cameraB(), 0, {}, {}}},
+                          {shuttle(0, 0.9, 4), shuttle(0.35, -0.9, 4)}, {red, red}, random);
     for (NamedView &view : filmed)
         for (Observation &observation : view.robots[1])
             observation.found = false;
     std::swap(filmed[1].robots[0], filmed[1].robots[1]);
     assignNames(filmed, std::vector<NamedRobot>(2));
     for (const std::size_t robot : {0u, 1u})
-        QCOMPARE(std::ranges::any_of(filmed[0].robots[robot], &Observation::found), std::ranges::any_of(filmed[1].robots[robot], &Observation::found));
+        QCOMPARE(std::ranges::any_of(filmed[0].robots[robot], &Observation::found),
+                 std::ranges::any_of(filmed[1].robots[robot], &Observation::found));
 }
 
 /// A robot that was lost and has turned meanwhile, of two that were told.
 void TestNameAssignment::whoComesBackIsNoOther()
 {
-    const Course turning = [](double t) { return Truth{t < 3 ? Vector2d(-0.9 + 0.5 * t, 0) : Vector2d(0.6 - 0.4 * (t - 3), 0.1), {}, {}}; };
+    const Course turning = [](double t) {
+        return Truth{t < 3 ? Vector2d(-0.9 + 0.5 * t, 0) : Vector2d(0.6 - 0.4 * (t - 3), 0.1), {}, {}};
+    };
     std::mt19937 random(13);
-    auto filmed = filmAll({{cameraA(), 0, {}, {}}, {cameraB(), 0, {}, {}}}, {turning, shuttle(0.35, -0.9, 4)}, {red, red}, random);
+    auto filmed = filmAll({{cameraA(), 0, {}, {}}, {cameraB(), 0, {}, {}}}, {turning, shuttle(0.35, -0.9, 4)},
+                          {red, red}, random);
     for (NamedView &view : filmed)
         for (std::size_t i = 0; i < view.robots[0].size(); ++i) {
             const double timeS = toSeconds(view.robots[0][i].time);
@@ -369,22 +375,26 @@ void TestNameAssignment::whoComesBackIsNoOther()
         }
     assignNames(filmed, std::vector<NamedRobot>(2));
     for (const NamedView &view : filmed)
-        QVERIFY(std::ranges::none_of(view.robots[0], &Observation::found) || std::ranges::none_of(view.robots[1], &Observation::found));
+        QVERIFY(std::ranges::none_of(view.robots[0], &Observation::found) ||
+                std::ranges::none_of(view.robots[1], &Observation::found));
 }
 
-/// Two come together head on, stand, and leave to both sides: nobody who did not see them meanwhile can say who went where.
+/// Two come together head on, stand, and leave to both sides: nobody who did not see them meanwhile can say
+/// who went where.
 void TestNameAssignment::whereNothingDecidesIsDoubtful()
 {
     const auto meeting = [](double side) -> Course {
         return [side](double t) {
             Truth truth;
-            truth.position = {side * (0.06 + 0.3 * std::pow(std::max(0.0, 3 - t), 2) / 2), side * 0.3 * std::pow(std::max(0.0, t - 5), 2) / 2};
+            truth.position = {side * (0.06 + 0.3 * std::pow(std::max(0.0, 3 - t), 2) / 2),
+                              side * 0.3 * std::pow(std::max(0.0, t - 5), 2) / 2};
             return truth;
         };
     };
     std::mt19937 random(12);
     const std::vector<Stretch> together{{2.2, 6}};
-    auto filmed = filmAll({{cameraA(), 0, together, {}}, {cameraB(), 0, together, {}}}, {meeting(1), meeting(-1)}, {red, red}, random);
+    auto filmed = filmAll({{cameraA(), 0, together, {}}, {cameraB(), 0, together, {}}},
+                          {meeting(1), meeting(-1)}, {red, red}, random);
     const NameOutcome outcome = assignNames(filmed, std::vector<NamedRobot>(2));
     QCOMPARE(outcome.doubts.size(), std::size_t(2));
     for (std::size_t robot = 0; robot < 2; ++robot) {
@@ -394,7 +404,8 @@ void TestNameAssignment::whereNothingDecidesIsDoubtful()
         QVERIFY((outcome.doubts[robot].others == std::vector<std::size_t>{1 - robot}));
     }
     // Passing one another they go on as they came.
-    auto passing = filmAll({{cameraA(), 0, fiveMeetings, {}}, {cameraB(), 0, fiveMeetings, {}}}, {shuttle(0, 0.9, 4), shuttle(0.35, -0.9, 4)}, {red, red}, random);
+    auto passing = filmAll({{cameraA(), 0, fiveMeetings, {}}, {cameraB(), 0, fiveMeetings, {}}},
+                           {shuttle(0, 0.9, 4), shuttle(0.35, -0.9, 4)}, {red, red}, random);
     QCOMPARE(assignNames(passing, std::vector<NamedRobot>(2)).doubts.size(), std::size_t(0));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/occlusions.h"
-#include "synthetic_run.h"
 #include "tests/support/registered_test.h"
+#include "tests/trajectory/synthetic_run.h"
 
 #include <QTest>
 #include <numbers>
@@ -27,7 +27,8 @@ class TestOcclusions : public QObject
         Filmed(std::string itsName, const Eigen::Vector2d &place) : name(std::move(itsName))
         {
             Run run = exactly([place](double) { return Truth{place, {}, {}}; }, durationS);
-            const double distanceM = (Eigen::Vector3d(place.x(), place.y(), 0) - viewA.cameraInWorld()).norm();
+            const double distanceM =
+                (Eigen::Vector3d(place.x(), place.y(), 0) - viewA.cameraInWorld()).norm();
             const double radiusPx = radiusM * viewA.camera().intrinsics().fxPx / distanceM;
             for (Sample &sample : run.samples) {
                 sample.views = 3;
@@ -53,8 +54,14 @@ class TestOcclusions : public QObject
             }
             return *this;
         }
-        Filmed &lost(double fromS, double toS) { return without(fromS, toS, [](Observation &one) { one.found = false; }); }
-        Filmed &scaled(double fromS, double toS, double factor) { return without(fromS, toS, [factor](Observation &one) { one.areaPx *= factor; }); }
+        Filmed &lost(double fromS, double toS)
+        {
+            return without(fromS, toS, [](Observation &one) { one.found = false; });
+        }
+        Filmed &scaled(double fromS, double toS, double factor)
+        {
+            return without(fromS, toS, [factor](Observation &one) { one.areaPx *= factor; });
+        }
     };
 
     /// The sentences of each robot, with "; " between them.
@@ -80,7 +87,8 @@ private Q_SLOTS:
     void nothingIsSaidOfWhatIsMeasured()
     {
         QCOMPARE(said({{"Red 2", far}, {"Blue 1", near}}), (std::vector<std::string>{"", ""}));
-        QCOMPARE(said({Filmed("Red 2", far).lost(1, 2)}, nullptr), std::vector<std::string>{""}); // of a view that is not registered
+        // of a view that is not registered
+        QCOMPARE(said({Filmed("Red 2", far).lost(1, 2)}, nullptr), std::vector<std::string>{""});
         QCOMPARE(said({}), std::vector<std::string>());
         const OcclusionRobot notTracked{"Red 2", nullptr, {}};
         const OcclusionView view{"A", &viewA, {}};
@@ -91,25 +99,34 @@ private Q_SLOTS:
     {
         QCOMPARE(said({Filmed("Red 2", far).lost(1, 1.5), Filmed("Blue 1", near)}),
                  (std::vector<std::string>{"hidden behind Blue 1 in view A (1.00 s to 1.50 s)", ""}));
-        QCOMPARE(said({Filmed("Red 2", far).scaled(1, 1.5, 0.6), Filmed("Blue 1", near)}).front(), std::string("partly hidden behind Blue 1 in view A (1.00 s to 1.50 s)"));
+        QCOMPARE(said({Filmed("Red 2", far).scaled(1, 1.5, 0.6), Filmed("Blue 1", near)}).front(),
+                 std::string("partly hidden behind Blue 1 in view A (1.00 s to 1.50 s)"));
         QCOMPARE(said({Filmed("Red 2", far), Filmed("Blue 1", near).lost(1, 1.5)}),
                  (std::vector<std::string>{"", "one outline with Red 2 in view A (1.00 s to 1.50 s)"}));
     }
 
     void ofSeveralTheNearestIsNamed()
     {
-        QCOMPARE(said({Filmed("Red 2", far).lost(1, 1.5), Filmed("Green 3", 2 * near), Filmed("Blue 1", near)}).front(),
-                 std::string("hidden behind Blue 1 in view A (1.00 s to 1.50 s)"));
-        QCOMPARE(said({Filmed("Red 2", far).lost(1, 1.5), Filmed("Green 3", aside)}).front(), std::string("not visible in view A (1.00 s to 1.50 s)"));
+        QCOMPARE(
+            said({Filmed("Red 2", far).lost(1, 1.5), Filmed("Green 3", 2 * near), Filmed("Blue 1", near)})
+                .front(),
+            std::string("hidden behind Blue 1 in view A (1.00 s to 1.50 s)"));
+        QCOMPARE(said({Filmed("Red 2", far).lost(1, 1.5), Filmed("Green 3", aside)}).front(),
+                 std::string("not visible in view A (1.00 s to 1.50 s)"));
     }
 
     void withoutAnotherRobotTheOutlineTells()
     {
-        QCOMPARE(said({Filmed("Red 2", far).scaled(1, 2, 0.6)}).front(), std::string("outline smaller than usual in view A (1.00 s to 2.00 s)"));
-        QCOMPARE(said({Filmed("Red 2", far).scaled(1, 2, 1.7)}).front(), std::string("outline larger than usual in view A (1.00 s to 2.00 s)"));
-        QCOMPARE(said({Filmed("Red 2", far).scaled(1, 1.5, 0.6).lost(1.5, 2)}).front(), std::string("not visible in view A (1.00 s to 2.00 s)"));
-        QCOMPARE(said({Filmed("Red 2", far).without(1, 2, [](Observation &one) { one.touchesBorder = true; })}).front(),
-                 std::string("cut by the frame's edge in view A (1.00 s to 2.00 s)"));
+        QCOMPARE(said({Filmed("Red 2", far).scaled(1, 2, 0.6)}).front(),
+                 std::string("outline smaller than usual in view A (1.00 s to 2.00 s)"));
+        QCOMPARE(said({Filmed("Red 2", far).scaled(1, 2, 1.7)}).front(),
+                 std::string("outline larger than usual in view A (1.00 s to 2.00 s)"));
+        QCOMPARE(said({Filmed("Red 2", far).scaled(1, 1.5, 0.6).lost(1.5, 2)}).front(),
+                 std::string("not visible in view A (1.00 s to 2.00 s)"));
+        QCOMPARE(
+            said({Filmed("Red 2", far).without(1, 2, [](Observation &one) { one.touchesBorder = true; })})
+                .front(),
+            std::string("cut by the frame's edge in view A (1.00 s to 2.00 s)"));
     }
 
     void whatLeadsToItBelongsToIt()
@@ -117,16 +134,19 @@ private Q_SLOTS:
         Filmed red("Red 2", far);
         red.scaled(1, 1.3, 0.8).lost(1.4, 1.8).scaled(1.9, 2.1, 0.8);
         Filmed blue("Blue 1", near);
-        for (std::size_t i = 0; i < blue.profile.points.size(); ++i) // where it is is known for a part of the time alone
-            blue.profile.points[i].valid = toSeconds(blue.profile.samples[i].time) > 1.35 && toSeconds(blue.profile.samples[i].time) < 1.85;
+        // where it is is known for a part of the time alone
+        for (std::size_t i = 0; i < blue.profile.points.size(); ++i)
+            blue.profile.points[i].valid = toSeconds(blue.profile.samples[i].time) > 1.35 &&
+                                           toSeconds(blue.profile.samples[i].time) < 1.85;
         QCOMPARE(said({red, blue}).front(), std::string("hidden behind Blue 1 in view A (1.00 s to 2.10 s)"));
         QCOMPARE(said({Filmed("Red 2", far).lost(1, 1.5).lost(2, 2.5)}).front(),
-                 std::string("not visible in view A (1.00 s to 1.50 s); not visible in view A (2.00 s to 2.50 s)"));
+                 std::string(
+                     "not visible in view A (1.00 s to 1.50 s); not visible in view A (2.00 s to 2.50 s)"));
     }
 
     void momentsAndWhatNoViewCanSeeAreLeftOut()
     {
-        QCOMPARE(said({Filmed("Red 2", far).lost(1, 1.07)}).front(), std::string()); // three frames
+        QCOMPARE(said({Filmed("Red 2", far).lost(1, 1.07)}).front(), std::string());  // three frames
         QCOMPARE(said({Filmed("Red 2", {30, 0}).lost(1, 2)}).front(), std::string()); // beyond the frame
         Filmed shortView("Red 2", far);
         shortView.lost(3, 4);
@@ -157,10 +177,14 @@ private Q_SLOTS:
 
     void aSpikesReasonSaysWhatHidTheRobot()
     {
-        const std::vector<Occlusion> occlusions{{{fromSeconds(1), fromSeconds(2)}, OcclusionCause::HiddenBehind, "A", "Blue 1"}};
-        QCOMPARE(reasonAmong(occlusions, {0, fromSeconds(1.5), 0, "jump of 84 mm"}), std::string("jump of 84 mm; hidden behind Blue 1 in view A"));
-        QCOMPARE(reasonAmong(occlusions, {0, fromSeconds(2.5), 0, "jump of 84 mm"}), std::string("jump of 84 mm"));
-        QCOMPARE(std::string(occlusionCauseName(OcclusionCause::OutlineTooLarge)), std::string("outline_too_large"));
+        const std::vector<Occlusion> occlusions{
+            {{fromSeconds(1), fromSeconds(2)}, OcclusionCause::HiddenBehind, "A", "Blue 1"}};
+        QCOMPARE(reasonAmong(occlusions, {0, fromSeconds(1.5), 0, "jump of 84 mm"}),
+                 std::string("jump of 84 mm; hidden behind Blue 1 in view A"));
+        QCOMPARE(reasonAmong(occlusions, {0, fromSeconds(2.5), 0, "jump of 84 mm"}),
+                 std::string("jump of 84 mm"));
+        QCOMPARE(std::string(occlusionCauseName(OcclusionCause::OutlineTooLarge)),
+                 std::string("outline_too_large"));
     }
 };
 

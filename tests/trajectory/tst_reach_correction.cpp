@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/trajectory/reach_correction.h"
+#include "core/trajectory/internal/body_outline.h"
 
 #include "tests/support/registered_test.h"
 
@@ -57,7 +57,8 @@ private Q_SLOTS:
             const auto weights = ReachCorrection::weightsAt({part(random), part(random), part(random)});
             QVERIFY(std::abs(std::accumulate(weights.weight.begin(), weights.weight.end(), 0.0) - 1) < 1e-12);
             for (std::size_t k = 0; k < weights.node.size(); ++k)
-                QVERIFY(weights.node[k] >= 0 && weights.node[k] < ReachCorrection::nodes && weights.weight[k] >= 0 && weights.weight[k] <= 1);
+                QVERIFY(weights.node[k] >= 0 && weights.node[k] < ReachCorrection::nodes &&
+                        weights.weight[k] >= 0 && weights.weight[k] <= 1);
         }
     }
 
@@ -68,7 +69,8 @@ private Q_SLOTS:
         for (int node = 0; node < ReachCorrection::nodes; ++node) {
             const Eigen::Vector3d direction = ReachCorrection::directionOf(node);
             QVERIFY(std::abs(direction.norm() - 1) < 1e-12);
-            QVERIFY2(std::abs(correction.at(direction) - values[node]) < 1e-12, qPrintable(QString::number(node)));
+            QVERIFY2(std::abs(correction.at(direction) - values[node]) < 1e-12,
+                     qPrintable(QString::number(node)));
             QVERIFY(std::abs(correction.at(0.3 * direction) - values[node]) < 1e-12); // of any length
         }
     }
@@ -78,7 +80,8 @@ private Q_SLOTS:
         QVERIFY((ReachCorrection::directionOf(nodeAt(0, 7)) - Eigen::Vector3d::UnitX()).norm() < 1e-12);
         QVERIFY((ReachCorrection::directionOf(nodeAt(9, 7)) - Eigen::Vector3d::UnitY()).norm() < 1e-12);
         QVERIFY((ReachCorrection::directionOf(nodeAt(18, 7)) + Eigen::Vector3d::UnitX()).norm() < 1e-12);
-        QVERIFY(ReachCorrection::directionOf(nodeAt(0, 14)).z() > 0.9 && ReachCorrection::directionOf(nodeAt(0, 0)).z() < -0.9);
+        QVERIFY(ReachCorrection::directionOf(nodeAt(0, 14)).z() > 0.9 &&
+                ReachCorrection::directionOf(nodeAt(0, 0)).z() < -0.9);
     }
 
     void betweenNodesItIsLinear()
@@ -87,12 +90,16 @@ private Q_SLOTS:
         const ReachCorrection correction(values);
         for (const double share : {0.1, 0.5, 0.8}) {
             const double alongRow = correction.at(directionAt((4 + share) * step, 2 * step));
-            QVERIFY(std::abs(alongRow - ((1 - share) * values[nodeAt(4, 9)] + share * values[nodeAt(5, 9)])) < 1e-12);
+            QVERIFY(std::abs(alongRow - ((1 - share) * values[nodeAt(4, 9)] + share * values[nodeAt(5, 9)])) <
+                    1e-12);
             const double upwards = correction.at(directionAt(4 * step, (2 + share) * step));
-            QVERIFY(std::abs(upwards - ((1 - share) * values[nodeAt(4, 9)] + share * values[nodeAt(4, 10)])) < 1e-12);
+            QVERIFY(std::abs(upwards - ((1 - share) * values[nodeAt(4, 9)] + share * values[nodeAt(4, 10)])) <
+                    1e-12);
         }
         const double middle = correction.at(directionAt(4.5 * step, 2.5 * step));
-        QVERIFY(std::abs(middle - (values[nodeAt(4, 9)] + values[nodeAt(5, 9)] + values[nodeAt(4, 10)] + values[nodeAt(5, 10)]) / 4) < 1e-12);
+        QVERIFY(std::abs(middle - (values[nodeAt(4, 9)] + values[nodeAt(5, 9)] + values[nodeAt(4, 10)] +
+                                   values[nodeAt(5, 10)]) /
+                                      4) < 1e-12);
     }
 
     void beyondTheEndsItIsAsAtThem()
@@ -100,11 +107,14 @@ private Q_SLOTS:
         const ReachCorrection correction(someValues());
         for (const double azimuth : {0.0, 1.23, -2.5}) {
             for (const double beyond : {0.05, 0.3}) {
-                QVERIFY(std::abs(correction.at(directionAt(azimuth, highestRad + beyond)) - correction.at(directionAt(azimuth, highestRad))) < 1e-12);
-                QVERIFY(std::abs(correction.at(directionAt(azimuth, lowestRad - beyond)) - correction.at(directionAt(azimuth, lowestRad))) < 1e-12);
+                QVERIFY(std::abs(correction.at(directionAt(azimuth, highestRad + beyond)) -
+                                 correction.at(directionAt(azimuth, highestRad))) < 1e-12);
+                QVERIFY(std::abs(correction.at(directionAt(azimuth, lowestRad - beyond)) -
+                                 correction.at(directionAt(azimuth, lowestRad))) < 1e-12);
             }
         }
-        QVERIFY(std::isfinite(correction.at(Eigen::Vector3d::UnitZ())) && std::isfinite(correction.at(-Eigen::Vector3d::UnitZ())));
+        QVERIFY(std::isfinite(correction.at(Eigen::Vector3d::UnitZ())) &&
+                std::isfinite(correction.at(-Eigen::Vector3d::UnitZ())));
     }
 
     void theAzimuthWrapsRound()

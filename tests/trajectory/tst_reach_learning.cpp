@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/trajectory/filmed_solid.h"
 
-#include "core/trajectory/body_direction.h"
-#include "core/trajectory/reach_learning.h"
-#include "core/trajectory/shape_estimation.h"
+#include "core/trajectory/internal/body_direction.h"
+#include "core/trajectory/internal/reach_learning.h"
 #include "core/trajectory/solid_choice.h"
 #include "tests/support/registered_test.h"
 
@@ -23,10 +22,24 @@ using Hull = std::vector<Eigen::Vector3d>;
 
 /// A pointed bow, a narrow stern, a deck wider than the keel, a cabin to the rear.
 const Hull boat{
-    {0.08, 0, 0.01},     {0.02, 0.05, 0.01},  {0.02, -0.05, 0.01},  {-0.09, 0.03, 0.01},  {-0.09, -0.03, 0.01},  // keel
-    {0.10, 0, 0.05},     {0.03, 0.075, 0.05}, {0.03, -0.075, 0.05}, {-0.06, 0.07, 0.05},  {-0.06, -0.07, 0.05},  // deck
-    {-0.10, 0.03, 0.05}, {-0.10, -0.03, 0.05},
-    {-0.02, 0.03, 0.10}, {-0.02, -0.03, 0.10}, {-0.07, 0.035, 0.10}, {-0.07, -0.035, 0.10}, // cabin
+    // keel
+    {0.08, 0, 0.01},
+    {0.02, 0.05, 0.01},
+    {0.02, -0.05, 0.01},
+    {-0.09, 0.03, 0.01},
+    {-0.09, -0.03, 0.01},
+    // deck
+    {0.10, 0, 0.05},
+    {0.03, 0.075, 0.05},
+    {0.03, -0.075, 0.05},
+    {-0.06, 0.07, 0.05},
+    {-0.06, -0.07, 0.05},
+    {-0.10, 0.03, 0.05},
+    {-0.10, -0.03, 0.05},
+    {-0.02, 0.03, 0.10},
+    {-0.02, -0.03, 0.10},
+    {-0.07, 0.035, 0.10},
+    {-0.07, -0.035, 0.10}, // cabin
 };
 
 /// A block whose corners are cut off, with a tower on its left side.
@@ -53,10 +66,12 @@ double reachOf(const SolidShape &shape, const Eigen::Vector3d &direction)
 {
     double reach = -HUGE_VAL;
     for (const SolidLevel &level : shape.levels) {
-        const double radius = shape.roundShare * std::min(level.frontM + level.backM, level.leftM + level.rightM) / 2;
+        const double radius =
+            shape.roundShare * std::min(level.frontM + level.backM, level.leftM + level.rightM) / 2;
         for (const double x : {level.frontM - radius, radius - level.backM})
             for (const double y : {level.leftM - radius, radius - level.rightM})
-                reach = std::max(reach, direction.dot(Eigen::Vector3d(x, y, level.heightM)) + radius * direction.head<2>().norm());
+                reach = std::max(reach, direction.dot(Eigen::Vector3d(x, y, level.heightM)) +
+                                            radius * direction.head<2>().norm());
     }
     return reach;
 }
@@ -64,13 +79,15 @@ double reachOf(const SolidShape &shape, const Eigen::Vector3d &direction)
 std::vector<ViewTrack> filmed(const Hull &body, int seed, double noisePx = 0.2)
 {
     std::mt19937 random{std::uint32_t(seed)};
-    return {filmHull("A", cameraA(), body, eight, noisePx, random), filmHull("B", cameraB(), body, eight, noisePx, random)};
+    return {filmHull("A", cameraA(), body, eight, noisePx, random),
+            filmHull("B", cameraB(), body, eight, noisePx, random)};
 }
 
 struct PlaceErrors
 {
     double rmsM = 0, insideShare = 0;
-    Eigen::Vector2d lastingM = Eigen::Vector2d::Zero(), sigmaM = Eigen::Vector2d::Zero(); ///< forward and left: the mean error, and the stated σ of what lasts
+    /// forward and left: the mean error, and the stated σ of what lasts
+    Eigen::Vector2d lastingM = Eigen::Vector2d::Zero(), sigmaM = Eigen::Vector2d::Zero();
 };
 
 PlaceErrors errorsOf(const std::vector<Sighting> &sightings)
@@ -83,14 +100,17 @@ PlaceErrors errorsOf(const std::vector<Sighting> &sightings)
         const Truth truth = eight(toSeconds(sighting.time));
         const Eigen::Vector2d off = sighting.place.pointInWorld - truth.position;
         const Eigen::Matrix2d toRobot = Eigen::Rotation2Dd(-headingOf(truth)).toRotationMatrix();
-        const Eigen::Matrix2d covariance = sighting.place.pixelCovariance + sighting.place.calibrationCovariance;
+        const Eigen::Matrix2d covariance =
+            sighting.place.pixelCovariance + sighting.place.calibrationCovariance;
         errors.rmsM += off.squaredNorm();
         errors.insideShare += off.dot(covariance.inverse() * off) < 5.991; // 95 % of two dimensions
         errors.lastingM += toRobot * off;
-        errors.sigmaM += (toRobot * sighting.place.calibrationCovariance * toRobot.transpose()).diagonal().cwiseSqrt();
+        errors.sigmaM +=
+            (toRobot * sighting.place.calibrationCovariance * toRobot.transpose()).diagonal().cwiseSqrt();
         count += 1;
     }
-    return {std::sqrt(errors.rmsM / count), errors.insideShare / count, errors.lastingM / count, errors.sigmaM / count};
+    return {std::sqrt(errors.rmsM / count), errors.insideShare / count, errors.lastingM / count,
+            errors.sigmaM / count};
 }
 
 /// The solid of levels that is fitted to the outlines, and the times it was fitted to.
@@ -106,7 +126,8 @@ Fitted fitted(const std::vector<ViewTrack> &views, const RobotShape &told)
     const auto axes = trackAxis(views, box->shape);
     const auto seen = placeBody(views, box->shape, axes);
     Fitted result{levelTimes(views), {}};
-    result.fit = fitLevels(result.times, views, directedAxes(views, seen, axes), seen, box->shape, told, {0.1, 0});
+    result.fit =
+        fitLevels(result.times, views, directedAxes(views, seen, axes), seen, box->shape, told, {0.1, 0});
     return result;
 }
 
@@ -135,17 +156,25 @@ private Q_SLOTS:
         QCOMPARE(int(solid->shape.form), int(SolidShape::Form::Levels));
         for (const auto &view : solid->seen) {
             const PlaceErrors errors = errorsOf(view);
-            // 1.4 to 1.9 mm of a boat, whose bow is sharper than what is learned is smooth, and 0.9 to 1.3 mm of the other when this was written.
+            // 1.4 to 1.9 mm of a boat, whose bow is sharper than what is learned is smooth, and 0.9 to 1.3 mm
+            // of the other when this was written.
             QVERIFY2(errors.rmsM < (isBoat ? 0.0028 : 0.0019), qPrintable(QString::number(errors.rmsM)));
             QVERIFY2(errors.insideShare > 0.8, qPrintable(QString::number(errors.insideShare)));
-            // What lasts is within its σ, of which the place along the heading alone is 0.8 % of the length; and no more than a reader can use.
-            const QString stated = QStringLiteral("%1 ±%2, %3 ±%4").arg(errors.lastingM.x()).arg(errors.sigmaM.x()).arg(errors.lastingM.y()).arg(errors.sigmaM.y());
+            // What lasts is within its σ, of which the place along the heading alone is 0.8 % of the length;
+            // and no more than a reader can use.
+            const QString stated = QStringLiteral("%1 ±%2, %3 ±%4")
+                                       .arg(errors.lastingM.x())
+                                       .arg(errors.sigmaM.x())
+                                       .arg(errors.lastingM.y())
+                                       .arg(errors.sigmaM.y());
             QVERIFY2((errors.lastingM.cwiseAbs().array() < errors.sigmaM.array()).all(), qPrintable(stated));
-            QVERIFY2(errors.sigmaM.x() > 0.008 * lengthM && errors.sigmaM.maxCoeff() < 0.004, qPrintable(stated));
+            QVERIFY2(errors.sigmaM.x() > 0.008 * lengthM && errors.sigmaM.maxCoeff() < 0.004,
+                     qPrintable(stated));
         }
     }
 
-    /// Solid and difference together reach as far as the body, where outlines show it: from the side and from above.
+    /// Solid and difference together reach as far as the body, where outlines show it: from the side and from
+    /// above.
     void theDifferenceIsThatOfTheBody()
     {
         const std::vector<ViewTrack> views = filmed(boat, 1, 0.05);
@@ -157,14 +186,19 @@ private Q_SLOTS:
             double squares = 0, squaresBefore = 0;
             for (int i = 0; i < 36; ++i) {
                 const double azimuth = 2 * std::numbers::pi * i / 36;
-                const Eigen::Vector3d direction(std::cos(up) * std::cos(azimuth), std::cos(up) * std::sin(azimuth), std::sin(up));
-                const double off = reachOf(fit->shape, direction) - direction.head<2>().dot(learned->middleM) - reachOf(boat, direction);
+                const Eigen::Vector3d direction(std::cos(up) * std::cos(azimuth),
+                                                std::cos(up) * std::sin(azimuth), std::sin(up));
+                const double off = reachOf(fit->shape, direction) -
+                                   direction.head<2>().dot(learned->middleM) - reachOf(boat, direction);
                 squaresBefore += off * off / 36;
                 squares += std::pow(off + learned->outlines.reach.at(direction), 2) / 36;
             }
             // The solid alone is off by 4 mm, the two together by 1.2 to 1.9 mm, most of it at the bow.
             QVERIFY2(squaresBefore > 0.003 * 0.003 && squares < 0.0027 * 0.0027,
-                     qPrintable(QStringLiteral("%1: %2, %3 before").arg(up).arg(std::sqrt(squares)).arg(std::sqrt(squaresBefore))));
+                     qPrintable(QStringLiteral("%1: %2, %3 before")
+                                    .arg(up)
+                                    .arg(std::sqrt(squares))
+                                    .arg(std::sqrt(squaresBefore))));
         }
     }
 
@@ -186,10 +220,15 @@ private Q_SLOTS:
         QVERIFY(fit.has_value());
         const auto learned = learnReach(times, *fit, told);
         QVERIFY(learned.has_value());
-        const auto sizeAlong = [&](const Eigen::Vector3d &axis, double ofSolid) { return ofSolid + learned->outlines.reach.at(axis) + learned->outlines.reach.at(-axis); };
-        const double length = sizeAlong(Eigen::Vector3d::UnitX(), fit->shape.lengthM), width = sizeAlong(Eigen::Vector3d::UnitY(), fit->shape.widthM);
-        // To the millimetre that it is taken for exact to, and a little more where the outlines say otherwise.
-        QVERIFY2(std::abs(length - *told.lengthM) < (offM == 0 ? 0.0012 : 0.0018), qPrintable(QString::number(length - *told.lengthM)));
+        const auto sizeAlong = [&](const Eigen::Vector3d &axis, double ofSolid) {
+            return ofSolid + learned->outlines.reach.at(axis) + learned->outlines.reach.at(-axis);
+        };
+        const double length = sizeAlong(Eigen::Vector3d::UnitX(), fit->shape.lengthM),
+                     width = sizeAlong(Eigen::Vector3d::UnitY(), fit->shape.widthM);
+        // To the millimetre that it is taken for exact to, and a little more where the outlines say
+        // otherwise.
+        QVERIFY2(std::abs(length - *told.lengthM) < (offM == 0 ? 0.0012 : 0.0018),
+                 qPrintable(QString::number(length - *told.lengthM)));
         QVERIFY2(std::abs(width - *told.widthM) < 0.0012, qPrintable(QString::number(width - *told.widthM)));
     }
 

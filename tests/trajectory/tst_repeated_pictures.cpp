@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/trajectory/repeated_pictures.h"
+#include "core/trajectory/internal/floor_positions.h"
 
 #include "tests/support/registered_test.h"
 

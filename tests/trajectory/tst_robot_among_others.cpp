@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which of all that moves is the robot: by the floor, over all views together, or as a person says.
-#include "core/geometry/support.h"
+#include "core/geometry/silhouette.h"
 #include "core/trajectory/name_assignment.h"
-#include "core/trajectory/trimmed_outlines.h"
+#include "core/trajectory/outline_doubt.h"
 #include "tests/support/registered_test.h"
 #include "tests/trajectory/synthetic_trial.h"
 
@@ -71,7 +71,11 @@ int framesOff(const NamedView &view, const FloorView &camera, const Course &cour
     int off = 0;
     for (const Observation &one : view.robots.front()) {
         const Vector2d place = course(toSeconds(one.time)).position;
-        off += !one.found || (*camera.pixelFromWorld({place.x(), place.y(), 0.03}) - one.ellipse.centrePx).norm() > outlinePx ? 1 : 0;
+        off += !one.found ||
+                       (*camera.pixelFromWorld({place.x(), place.y(), 0.03}) - one.ellipse.centrePx).norm() >
+                           outlinePx
+                   ? 1
+                   : 0;
     }
     return off;
 }
@@ -122,7 +126,8 @@ void TestRobotAmongOthers::whatComesToRestIsNoRobot()
     QCOMPARE(framesOff(views[1], cameraB(), drives), 150);
 }
 
-/// Its camera was pushed: that the views disagree is to be seen and said, and not to be hidden by leaving one out.
+/// Its camera was pushed: that the views disagree is to be seen and said, and not to be hidden by leaving one
+/// out.
 void TestRobotAmongOthers::aViewThatContradictsIsKept()
 {
     auto views = viewsOf({{drives}, {drives, stands}});
@@ -142,7 +147,8 @@ void TestRobotAmongOthers::aPersonDecides()
         for (const std::size_t clicked : {std::size_t(0), std::size_t(1)}) {
             auto views = viewsOf({{drives, drivesAsMuch}, {drivesAsMuch, drives}});
             constexpr std::size_t frame = 40;
-            views[clicked].pointedOut = {{0, std::int64_t(frame), seenAt(views[clicked], course, frame) + Vector2d(5, -5)}};
+            views[clicked].pointedOut = {
+                {0, std::int64_t(frame), seenAt(views[clicked], course, frame) + Vector2d(5, -5)}};
             const NameOutcome outcome = assignNames(views, std::vector<NamedRobot>(1));
             QVERIFY(outcome.nothingThere.empty());
             QCOMPARE(framesOff(views[0], cameraA(), course), 0);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/trajectory/filmed_solid.h"
 
-#include "core/trajectory/axis_track.h"
-#include "core/trajectory/body_direction.h"
+#include "core/trajectory/internal/body_direction.h"
 #include "core/trajectory/solid_choice.h"
 #include "tests/support/registered_test.h"
 
@@ -23,7 +22,8 @@ SolidShape buggy()
 {
     SolidShape shape;
     shape.form = SolidShape::Form::Levels;
-    shape.levels = {SolidLevel{0.004, 0.05, 0.06, 0.09, 0.09}, SolidLevel{0.045, 0.10, 0.10, 0.07, 0.07}, SolidLevel{0.095, 0.03, 0.08, 0.05, 0.05}};
+    shape.levels = {SolidLevel{0.004, 0.05, 0.06, 0.09, 0.09}, SolidLevel{0.045, 0.10, 0.10, 0.07, 0.07},
+                    SolidLevel{0.095, 0.03, 0.08, 0.05, 0.05}};
     shape.lengthM = 0.20;
     shape.widthM = 0.18;
     shape.topM = 0.095;
@@ -43,7 +43,8 @@ PlaceErrors errorsOf(const std::vector<Sighting> &sightings)
         if (!sighting.seen)
             continue;
         const Eigen::Vector2d off = sighting.place.pointInWorld - eight(toSeconds(sighting.time)).position;
-        const Eigen::Matrix2d covariance = sighting.place.pixelCovariance + sighting.place.calibrationCovariance;
+        const Eigen::Matrix2d covariance =
+            sighting.place.pixelCovariance + sighting.place.calibrationCovariance;
         errors.rmsM += off.squaredNorm();
         errors.insideShare += off.dot(covariance.inverse() * off) < 5.991; // 95 % of two dimensions
         count += 1;
@@ -67,7 +68,8 @@ private Q_SLOTS:
     {
         QFETCH(int, seed);
         std::mt19937 random{std::uint32_t(seed)};
-        const std::vector<ViewTrack> views{filmSilhouette("A", cameraA(), buggy(), eight, 0.2, random), filmSilhouette("B", cameraB(), buggy(), eight, 0.2, random)};
+        const std::vector<ViewTrack> views{filmSilhouette("A", cameraA(), buggy(), eight, 0.2, random),
+                                           filmSilhouette("B", cameraB(), buggy(), eight, 0.2, random)};
         const auto solid = findSolid(views, untold);
         QVERIFY(solid.has_value());
         QCOMPARE(int(solid->shape.form), int(SolidShape::Form::Levels));
@@ -86,7 +88,8 @@ private Q_SLOTS:
     void aColouredPartIsMeasuredAsBefore()
     {
         std::mt19937 random(1);
-        const std::vector<ViewTrack> views{filmSolid("A", cameraA(), buggy(), eight, 0.2, random), filmSolid("B", cameraB(), buggy(), eight, 0.2, random)};
+        const std::vector<ViewTrack> views{filmSolid("A", cameraA(), buggy(), eight, 0.2, random),
+                                           filmSolid("B", cameraB(), buggy(), eight, 0.2, random)};
         const auto solid = findSolid(views, untold);
         QVERIFY(!solid || solid->shape.form != SolidShape::Form::Levels);
     }
@@ -95,11 +98,14 @@ private Q_SLOTS:
     {
         const SolidShape box{SolidShape::Form::Box, 0.26, 0.19, 0, 0.06};
         std::mt19937 random(4);
-        const std::vector<ViewTrack> views{filmSilhouette("A", cameraA(), box, eight, 0.05, random), filmSilhouette("B", cameraB(), box, eight, 0.05, random)};
+        const std::vector<ViewTrack> views{filmSilhouette("A", cameraA(), box, eight, 0.05, random),
+                                           filmSilhouette("B", cameraB(), box, eight, 0.05, random)};
         const auto solid = findSolid(views, untold);
-        QVERIFY(solid && std::abs(solid->shape.lengthM - 0.26) < 0.005 && std::abs(solid->shape.widthM - 0.19) < 0.005);
+        QVERIFY(solid && std::abs(solid->shape.lengthM - 0.26) < 0.005 &&
+                std::abs(solid->shape.widthM - 0.19) < 0.005);
         const PlaceErrors errors = errorsOf(solid->seen.front());
-        QVERIFY2(errors.rmsM < 0.002 && errors.insideShare > 0.9, qPrintable(QStringLiteral("%1 %2").arg(errors.rmsM).arg(errors.insideShare)));
+        QVERIFY2(errors.rmsM < 0.002 && errors.insideShare > 0.9,
+                 qPrintable(QStringLiteral("%1 %2").arg(errors.rmsM).arg(errors.insideShare)));
     }
 
     void whatNoSolidExplainsGivesNone()
@@ -122,13 +128,16 @@ private Q_SLOTS:
     void anotherPointOfItIsMeasured()
     {
         QFETCH(int, form);
-        const SolidShape shapes[] = {{SolidShape::Form::Box, 0.26, 0.19, 0, 0.06}, {SolidShape::Form::Cylinder, 0.2, 0.2, 0, 0.06}, buggy()};
+        const SolidShape shapes[] = {{SolidShape::Form::Box, 0.26, 0.19, 0, 0.06},
+                                     {SolidShape::Form::Cylinder, 0.2, 0.2, 0, 0.06},
+                                     buggy()};
         const Eigen::Vector2d reference(0.07, -0.03);
         RobotShape told;
         told.referenceM = reference;
         std::mt19937 random(8);
         const auto filmed = form == 2 ? filmSilhouette : filmSolid;
-        const std::vector<ViewTrack> views{filmed("A", cameraA(), shapes[form], eight, 0.05, random), filmed("B", cameraB(), shapes[form], eight, 0.05, random)};
+        const std::vector<ViewTrack> views{filmed("A", cameraA(), shapes[form], eight, 0.05, random),
+                                           filmed("B", cameraB(), shapes[form], eight, 0.05, random)};
         const auto solid = findSolid(views, told);
         QVERIFY(solid.has_value());
         double squares = 0, count = 0;
@@ -139,7 +148,8 @@ private Q_SLOTS:
             count += sighting.seen;
         }
         const double rmsM = std::sqrt(squares / count);
-        QVERIFY2(count > 100 && rmsM < (form == 0 ? 0.002 : 0.006), qPrintable(QString::number(rmsM))); // 0.05 rad of heading are 4 mm
+        // 0.05 rad of heading are 4 mm
+        QVERIFY2(count > 100 && rmsM < (form == 0 ? 0.002 : 0.006), qPrintable(QString::number(rmsM)));
     }
 
     void theFrontIsWhereItMovesTo()
@@ -149,11 +159,13 @@ private Q_SLOTS:
         const std::vector<ViewTrack> views{filmSolid("A", cameraA(), box, eight, 0.05, random)};
         const auto axes = trackAxis(views, box);
         const auto seen = placeBody(views, box, axes);
-        for (const auto &directions : {directedAxes(views, seen, axes), directionsOfMotion(views, seen, axes)}) {
+        for (const auto &directions :
+             {directedAxes(views, seen, axes), directionsOfMotion(views, seen, axes)}) {
             int wrong = 0;
             for (std::size_t i = 10; i + 10 < seen.front().size(); ++i) {
                 const double truth = headingOf(eight(toSeconds(views.front().observations[i].time)));
-                wrong += std::abs(std::remainder(directions.front()[i].angleRad - truth, 2 * std::numbers::pi)) > 0.2;
+                wrong += std::abs(std::remainder(directions.front()[i].angleRad - truth,
+                                                 2 * std::numbers::pi)) > 0.2;
             }
             QVERIFY2(wrong < 5, qPrintable(QString::number(wrong)));
         }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/trajectory/spike_flags.h"
+#include "core/trajectory/internal/spike_flags.h"
 
-#include "spiked_track.h"
 #include "tests/support/registered_test.h"
+#include "tests/trajectory/spiked_track.h"
 
 #include <QTest>
 #include <set>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Recall and precision of the flags on tracks whose faults are known: many motions, rates and kinds of fault.
-#include "core/trajectory/spike_flags.h"
+#include "core/trajectory/internal/spike_flags.h"
 
-#include "spiked_track.h"
 #include "tests/support/registered_test.h"
+#include "tests/trajectory/spiked_track.h"
 
 #include <QTest>
 

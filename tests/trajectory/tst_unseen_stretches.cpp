@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/trajectory/unseen_stretches.h"
-#include "synthetic_trial.h"
+#include "core/trajectory/occlusions.h"
 #include "tests/support/registered_test.h"
+#include "tests/trajectory/synthetic_trial.h"
 
 #include <QTest>
 

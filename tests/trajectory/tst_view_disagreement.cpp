@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/view_disagreement.h"
 
-#include "synthetic_trial.h"
 #include "tests/support/registered_test.h"
+#include "tests/trajectory/synthetic_trial.h"
 
 #include <QTest>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "coded_frames.h"
+#include "tests/video/coded_frames.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "foreign_files.h"
+#include "tests/video/foreign_files.h"
 
-#include "core/video/libav.h"
+#include "core/video/internal/libav.h"
 
 extern "C" {
 #include <libavutil/pixdesc.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "jpeg_pictures.h"
+#include "tests/video/jpeg_pictures.h"
 
 #include <cmath>
 #include <cstdio>
@@ -20,7 +20,8 @@ std::vector<std::uint8_t> jpegOf(const FrameFormat &format, const JpegWay &way)
     encoder.err = jpeg_std_error(&errors);
     jpeg_create_compress(&encoder);
     // More than noise of the best quality takes, so that the library never makes a larger one.
-    std::vector<std::uint8_t> coded(4096 + 6 * static_cast<std::size_t>(format.width) * static_cast<std::size_t>(format.height));
+    std::vector<std::uint8_t> coded(4096 + 6 * static_cast<std::size_t>(format.width) *
+                                               static_cast<std::size_t>(format.height));
     unsigned char *bytes = coded.data();
     unsigned long size = coded.size();
     jpeg_mem_dest(&encoder, &bytes, &size);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small videos with each of their packets, and everything between them, damaged by a byte or cut off there: what is sound
-// is read as before, what is not is named, nothing takes long.
-#include "coded_frames.h"
+// Small videos with each of their packets, and everything between them, damaged by a byte or cut off there:
+// what is sound is read as before, what is not is named, nothing takes long.
 #include "core/video/video_input.h"
 #include "core/video/video_reader.h"
 #include "tests/support/patience.h"
 #include "tests/support/registered_test.h"
+#include "tests/video/coded_frames.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -33,7 +33,8 @@ std::vector<Place> packetsOf(const std::filesystem::path &file, const std::strin
     const auto input = VideoInput::open(file);
     const libav::PacketPtr packet(av_packet_alloc());
     while (input && (*input)->read(*packet) >= 0) {
-        const std::string_view data(reinterpret_cast<const char *>(packet->data), static_cast<std::size_t>(packet->size));
+        const std::string_view data(reinterpret_cast<const char *>(packet->data),
+                                    static_cast<std::size_t>(packet->size));
         places.push_back({bytes.find(data, static_cast<std::size_t>(packet->pos)), data.size()});
     }
     return places;
@@ -65,7 +66,8 @@ Readout readAll(const std::filesystem::path &file)
             out.frames[(*frame)->time.count()] = fingerprint(**frame);
     }
     for (const std::size_t part : {3U, 1U, 2U}) // and by seeking
-        if (const auto frame = (*reader)->frameAt(static_cast<std::int64_t>(part * (out.info.frameTimes.size() - 1) / 3));
+        if (const auto frame =
+                (*reader)->frameAt(static_cast<std::int64_t>(part * (out.info.frameTimes.size() - 1) / 3));
             !frame && frame.error().code != ErrorCode::InvalidInput)
             out.refused = frame.error();
     return out;
@@ -159,7 +161,8 @@ QString TestDamagedPackets::problemOf(const Readout &found, std::optional<std::s
     if (found.refused) {
         const bool isTold = found.refused->code == ErrorCode::InvalidInput && !found.refused->advice.empty();
         if (packet && m_eachByItself)
-            return QStringLiteral("refused for one packet: ") + QString::fromStdString(found.refused->message());
+            return QStringLiteral("refused for one packet: ") +
+                   QString::fromStdString(found.refused->message());
         return isTold ? QString() : QString::fromStdString(found.refused->message());
     }
     if (!packet)
@@ -184,11 +187,13 @@ void TestDamagedPackets::flipped()
     for (std::size_t packet = 0; packet < m_packets.size(); ++packet) {
         const Place &place = m_packets[packet];
         for (int i = 0; i < m_offsets; ++i) {
-            const std::size_t at = place.begin + place.size * static_cast<std::size_t>(i) / static_cast<std::size_t>(m_offsets);
+            const std::size_t at =
+                place.begin + place.size * static_cast<std::size_t>(i) / static_cast<std::size_t>(m_offsets);
             std::string bytes = m_bytes;
             bytes[at] = static_cast<char>(bytes[at] ^ 0x5a);
             if (const QString problem = problemOf(readout(bytes), packet); !problem.isEmpty())
-                problems << QStringLiteral("byte %1 of packet %2: ").arg(at - place.begin).arg(packet) + problem;
+                problems << QStringLiteral("byte %1 of packet %2: ").arg(at - place.begin).arg(packet) +
+                                problem;
         }
     }
     QVERIFY2(problems.isEmpty(), qPrintable(problems.mid(0, 10).join(u'\n')));
@@ -204,7 +209,8 @@ void TestDamagedPackets::cutOff()
     for (std::size_t packet = 1; packet < m_packets.size(); ++packet) {
         const Place &place = m_packets[packet];
         for (int i = 0; i < m_offsets; ++i) {
-            const std::size_t at = place.begin + place.size * static_cast<std::size_t>(i) / static_cast<std::size_t>(m_offsets);
+            const std::size_t at =
+                place.begin + place.size * static_cast<std::size_t>(i) / static_cast<std::size_t>(m_offsets);
             const Readout found = readout(m_bytes.substr(0, at));
             QString problem = problemOf(found, std::nullopt);
             const std::size_t frames = found.info.frameTimes.size();
@@ -216,11 +222,14 @@ void TestDamagedPackets::cutOff()
             if (frames < framesBefore)
                 problem = QStringLiteral("fewer frames than of a shorter file");
             for (const auto &[time, print] : found.frames)
-                if (!m_whole.frames.contains(time) || (m_whole.frames.at(time) != print && time < found.info.frameTimes.back().count()))
+                if (!m_whole.frames.contains(time) ||
+                    (m_whole.frames.at(time) != print && time < found.info.frameTimes.back().count()))
                     problem = QStringLiteral("another picture at %1 ns").arg(time);
             framesBefore = std::max(framesBefore, frames);
             if (!problem.isEmpty())
-                problems << QStringLiteral("cut at byte %1 of packet %2: ").arg(at - place.begin).arg(packet) + problem;
+                problems
+                    << QStringLiteral("cut at byte %1 of packet %2: ").arg(at - place.begin).arg(packet) +
+                           problem;
         }
     }
     QVERIFY2(problems.isEmpty(), qPrintable(problems.mid(0, 10).join(u'\n')));
@@ -228,7 +237,8 @@ void TestDamagedPackets::cutOff()
     QVERIFY2(m_longestS < 1 * slowness, qPrintable(QString::number(m_longestS)));
 }
 
-/// Headers, sizes, time stamps, the index: there a byte may make any file of it, which is read or refused in words.
+/// Headers, sizes, time stamps, the index: there a byte may make any file of it, which is read or refused in
+/// words.
 void TestDamagedPackets::betweenThePackets()
 {
     make();

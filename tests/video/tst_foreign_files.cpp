@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "coded_frames.h"
-#include "core/video/h264_siting.h"
-#include "core/video/libav.h"
+#include "core/video/internal/libav.h"
+#include "core/video/internal/stream_format.h"
 #include "core/video/video_reader.h"
-#include "foreign_files.h"
 #include "tests/support/registered_test.h"
+#include "tests/video/coded_frames.h"
+#include "tests/video/foreign_files.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -98,7 +98,9 @@ void TestForeignFiles::containersThatAreNotTrusted()
     const auto reader = VideoReader::open(path("r.mxf"));
     QVERIFY(!reader.has_value());
     QCOMPARE(reader.error().code, ErrorCode::InvalidInput);
-    QVERIFY2(QString::fromStdString(reader.error().message()).endsWith(QStringLiteral("give an MP4, MOV, MKV or AVI file; copy it from the camera again if it was cut short")),
+    QVERIFY2(QString::fromStdString(reader.error().message())
+                 .endsWith(QStringLiteral(
+                     "give an MP4, MOV, MKV or AVI file; copy it from the camera again if it was cut short")),
              reader.error().message().c_str());
 }
 
@@ -204,18 +206,40 @@ void TestForeignFiles::sitingOfArbitraryBytes()
     }
 }
 
-/// The difference in a list of scales may be any number in a damaged one (an overflow, seen by the undefined-behaviour sanitizer). What
-/// follows is read as ever: the location that is told here is 3.
+/// The difference in a list of scales may be any number in a damaged one (an overflow, seen by the
+/// undefined-behaviour sanitizer). What follows is read as ever: the location that is told here is 3.
 void TestForeignFiles::sitingBehindAnOddListOfScales()
 {
     std::vector<std::uint8_t> bytes{0, 0, 1, 0x67, 100, 0, 30};
     const QByteArray zeros(31, '0'), ones(30, '1');
-    QByteArray bits = "1" "010" "1" "1" "0" "1"; // id, 4:2:0, depths, not bypassed, there are lists of scales
-    bits += "1" + zeros + "1" + ones + "0";      // the first one: 8 + 2147483647 modulo 256 is 7
-    bits += QByteArray(15, '1');                 // and no more differences
-    bits += QByteArray(7, '0');                  // the other lists are not there
-    bits += "1" "1" "1" "1" "0" "1" "1" "1" "1" "0"; // numbers of frames, order, its bits, references, no gaps, size, whole frames, no cropping
-    bits += "1" "0" "0" "0" "1" "00100" "00100"; // the VUI: nothing of aspect, overscan and signal, but where chroma lies
+    QByteArray bits = "1"
+                      "010"
+                      "1"
+                      "1"
+                      "0"
+                      "1";                  // id, 4:2:0, depths, not bypassed, there are lists of scales
+    bits += "1" + zeros + "1" + ones + "0"; // the first one: 8 + 2147483647 modulo 256 is 7
+    bits += QByteArray(15, '1');            // and no more differences
+    bits += QByteArray(7, '0');             // the other lists are not there
+    // numbers of frames, order, its bits, references, no gaps, size, whole frames, no cropping
+    bits += "1"
+            "1"
+            "1"
+            "1"
+            "0"
+            "1"
+            "1"
+            "1"
+            "1"
+            "0";
+    // the VUI: nothing of aspect, overscan and signal, but where chroma lies
+    bits += "1"
+            "0"
+            "0"
+            "0"
+            "1"
+            "00100"
+            "00100";
     bits += QByteArray((8 - bits.size() % 8) % 8 + 8, '1');
     for (qsizetype at = 0; at < bits.size(); at += 8)
         bytes.push_back(static_cast<std::uint8_t>(bits.mid(at, 8).toUInt(nullptr, 2)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/video/frame_spacing.h"
+#include "core/video/frame_times.h"
 #include "tests/support/registered_test.h"
 #include "tests/video/coded_frames.h"
 
@@ -18,7 +18,9 @@ private Q_SLOTS:
         std::vector<Nanoseconds> times;
         for (int i = 0; i < 60; ++i)
             times.push_back(40ms * i + (i % 5 == 4 ? 25ms : 0ms));
-        QCOMPARE(unevenRateWords(times), std::string("its frame rate varies, pictures are 15 to 65 ms apart; each counts at its own time"));
+        QCOMPARE(unevenRateWords(times),
+                 std::string(
+                     "its frame rate varies, pictures are 15 to 65 ms apart; each counts at its own time"));
         QCOMPARE(spacingOf(times).usual, Nanoseconds(40ms));
         QVERIFY(spacingOf(times).isVariable);
     }
@@ -47,7 +49,8 @@ private Q_SLOTS:
 
     void tooFewPicturesHaveNoSpacing()
     {
-        for (const std::vector<Nanoseconds> &times : std::vector<std::vector<Nanoseconds>>{{}, {5ms}, {5ms, 5ms}, {5ms, 12ms}})
+        for (const std::vector<Nanoseconds> &times :
+             std::vector<std::vector<Nanoseconds>>{{}, {5ms}, {5ms, 5ms}, {5ms, 12ms}})
             QVERIFY(unevenRateWords(times).empty());
         QCOMPARE(spacingOf({}).usual, Nanoseconds(0));
         QCOMPARE(spacingOf({5ms, 12ms}).usual, Nanoseconds(7ms));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files that say that they have enormous pictures: refused by what they say, without asking for the memory.
-#include "coded_frames.h"
 #include "core/base/shortage.h"
 #include "core/video/picture_reader.h"
 #include "core/video/picture_writer.h"
 #include "core/video/video_reader.h"
 #include "tests/support/registered_test.h"
+#include "tests/video/coded_frames.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -48,7 +48,8 @@ private:
     rlimit m_before{};
 };
 
-constexpr rlim_t enough = 100'000'000; // ten thousand times a picture of these files; the least of the said ones takes 300 MB
+// ten thousand times a picture of these files; the least of the said ones takes 300 MB
+constexpr rlim_t enough = 100'000'000;
 
 std::string bigEndian(unsigned value)
 {
@@ -61,13 +62,16 @@ class TestHugePictures : public QObject
 {
     Q_OBJECT
 private Q_SLOTS:
-    /// What is freed goes back to the system at once; else a picture may find room that an earlier one has left, whatever the limit.
+    /// What is freed goes back to the system at once; else a picture may find room that an earlier one has
+    /// left, whatever the limit.
     void initTestCase() { mallopt(M_MMAP_THRESHOLD, 128 * 1024); }
 
     void picturesAreRefusedByTheirHeader_data()
     {
         QTest::addColumn<QByteArray>("content");
-        const auto row = [](const char *name, const std::string &content) { QTest::newRow(name) << QByteArray::fromStdString(content); };
+        const auto row = [](const char *name, const std::string &content) {
+            QTest::newRow(name) << QByteArray::fromStdString(content);
+        };
         row("PNG 60000x60000", "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\xea\x60\0\0\xea\x60\x08\x02\0\0\0"s);
         row("PNG 60000x2000", "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\xea\x60\0\0\x07\xd0\x08\x02\0\0\0"s);
         row("JPEG 65000x65000", "\xff\xd8\xff\xe0\0\x04\0\0\xff\xc0\0\x11\x08\xfd\xe8\xfd\xe8\x03\0\0\0\0"s);
@@ -84,11 +88,14 @@ private Q_SLOTS:
         const auto frame = readPicture(path("huge.png"));
         QVERIFY(!frame);
         QCOMPARE(frame.error().code, ErrorCode::InvalidInput);
-        QVERIFY2(frame.error().message().find("more than 50 megapixels or 32000 pixels a side are not read; make it smaller") != std::string::npos,
+        QVERIFY2(frame.error().message().find(
+                     "more than 50 megapixels or 32000 pixels a side are not read; make it smaller") !=
+                     std::string::npos,
                  frame.error().message().c_str());
     }
 
-    /// The largest one that is read: its file, what is decoded and its planes are 3 bytes a pixel each, and two of them are enough at a time.
+    /// The largest one that is read: its file, what is decoded and its planes are 3 bytes a pixel each, and
+    /// two of them are enough at a time.
     void theLargestOneTakesLittleMemory()
     {
         if (!canBeLimited)
@@ -152,7 +159,8 @@ private Q_SLOTS:
         QCOMPARE(reader.has_value(), isRead);
         if (!isRead)
             QCOMPARE(reader.error().message(), "cannot open the video " + path("long.mkv").string() +
-                                                   ": its pictures have more than 100 megapixels or 32000 pixels a side; convert it to a smaller size");
+                                                   ": its pictures have more than 100 megapixels or 32000 "
+                                                   "pixels a side; convert it to a smaller size");
     }
 
     /// The header of the file says 192x96, that of each picture something else.
@@ -172,7 +180,8 @@ private Q_SLOTS:
         std::string bytes{std::istreambuf_iterator<char>(in), {}};
         const std::string frameHeader = "\xff\xc0\0\x11\x08"s + bigEndian(96) + bigEndian(192);
         int patched = 0;
-        for (std::size_t at = bytes.find(frameHeader); at != std::string::npos; at = bytes.find(frameHeader, at + 1), ++patched)
+        for (std::size_t at = bytes.find(frameHeader); at != std::string::npos;
+             at = bytes.find(frameHeader, at + 1), ++patched)
             bytes.replace(at + 5, 4, bigEndian(unsigned(side)) + bigEndian(unsigned(side)));
         QCOMPARE(patched, 6);
         store("huge.mkv", bytes);
@@ -207,14 +216,21 @@ private Q_SLOTS:
             QVERIFY(!frame);
             QCOMPARE(frame.error().code, ErrorCode::Unavailable);
             QCOMPARE(frame.error().message(), "cannot decode frame 0 of " + path("large.mkv").string() +
-                                                  ": this computer has not enough free memory for it; what was saved is safe; close other programs and try again");
+                                                  ": this computer has not enough free memory for it; what "
+                                                  "was saved is safe; close other programs and try again");
         }
         QVERIFY((*reader)->frameAt(0));
     }
 
 private:
-    std::filesystem::path path(const std::string &name) const { return std::filesystem::path(m_folder.path().toStdString()) / name; }
-    void store(const std::string &name, const std::string &content) const { std::ofstream(path(name), std::ios::binary) << content; }
+    std::filesystem::path path(const std::string &name) const
+    {
+        return std::filesystem::path(m_folder.path().toStdString()) / name;
+    }
+    void store(const std::string &name, const std::string &content) const
+    {
+        std::ofstream(path(name), std::ios::binary) << content;
+    }
     QTemporaryDir m_folder;
 };
 

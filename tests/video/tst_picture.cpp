@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/picture.h"
 
-#include "coded_frames.h"
 #include "tests/support/registered_test.h"
+#include "tests/video/coded_frames.h"
 
 #include <QTest>
 

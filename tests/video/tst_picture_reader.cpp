@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/picture_reader.h"
 
-#include "coded_frames.h"
 #include "core/video/picture.h"
 #include "core/video/picture_writer.h"
-#include "jpeg_pictures.h"
 #include "tests/support/registered_test.h"
+#include "tests/video/coded_frames.h"
+#include "tests/video/jpeg_pictures.h"
 
 #include <QImage>
 #include <QTemporaryDir>
@@ -336,7 +336,8 @@ void TestPictureReader::refusals_data()
         return "\xff\xc0\0\x11\x08"s + high + low + high + low + "\x03\x01\x22\0\x02\x11\x01\x03\x11\x01"s;
     };
     const std::string jpegScan = "\xff\xda\0\x0c\x03\x01\0\x02\x11\x03\x11\0\x3f\0"s;
-    row("jpeg with a stuffed zero", "\xff\xd8\xff\0\0\x23"s + jpegFrame('\x75', '\x30') + jpegScan + jpegFrame(0, 8), noPicture);
+    row("jpeg with a stuffed zero",
+        "\xff\xd8\xff\0\0\x23"s + jpegFrame('\x75', '\x30') + jpegScan + jpegFrame(0, 8), noPicture);
     const auto tiffEntry = [](char tag, char type, char low, char high) {
         return std::string{tag, 1, type, 0, 1, 0, 0, 0, low, high, 0, 0};
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/video/jpeg_encoder.h"
+#include "core/video/jpeg.h"
 #include "core/video/recording_writer.h"
 #include "core/video/video_reader.h"
 #include "tests/support/registered_test.h"
@@ -51,7 +51,10 @@ private Q_SLOTS:
     void tellsWhatStandsInItsWay();
 
 private:
-    std::filesystem::path file(const char *name) const { return m_folder.filePath(QString::fromLatin1(name)).toStdString(); }
+    std::filesystem::path file(const char *name) const
+    {
+        return m_folder.filePath(QString::fromLatin1(name)).toStdString();
+    }
     /// Writes so many pictures; finished or not.
     void write(const std::filesystem::path &path, const FrameFormat &format, int count, bool finish)
     {
@@ -108,9 +111,12 @@ void TestRecordingWriter::picturesComeBack()
         QVERIFY(frame && *frame);
         const Frame truth = painted(format, i);
         // What coding at this quality leaves of a smooth picture: less than one code value.
-        QVERIFY(meanDifference(truth.y, (*frame)->y, fullRange ? 1 : 255 / 219.0, fullRange ? 0 : 16, 0) < 1.5);
-        QVERIFY(meanDifference(truth.u, (*frame)->u, fullRange ? 1 : 255 / 224.0, fullRange ? 0 : 128, fullRange ? 0 : 128) < 1.5);
-        QVERIFY(meanDifference(truth.v, (*frame)->v, fullRange ? 1 : 255 / 224.0, fullRange ? 0 : 128, fullRange ? 0 : 128) < 1.5);
+        QVERIFY(meanDifference(truth.y, (*frame)->y, fullRange ? 1 : 255 / 219.0, fullRange ? 0 : 16, 0) <
+                1.5);
+        QVERIFY(meanDifference(truth.u, (*frame)->u, fullRange ? 1 : 255 / 224.0, fullRange ? 0 : 128,
+                               fullRange ? 0 : 128) < 1.5);
+        QVERIFY(meanDifference(truth.v, (*frame)->v, fullRange ? 1 : 255 / 224.0, fullRange ? 0 : 128,
+                               fullRange ? 0 : 128) < 1.5);
     }
 }
 
@@ -131,7 +137,8 @@ void TestRecordingWriter::whatWasWrittenCanBeReadWithoutAnEnd()
     const auto reader = VideoReader::open(copy);
     QVERIFY2(reader, reader ? "" : reader.error().message().c_str());
     // A cluster is half a second: of three seconds no more than that is missing.
-    QVERIFY2((*reader)->info().frameTimes.size() >= 74, qPrintable(QString::number((*reader)->info().frameTimes.size())));
+    QVERIFY2((*reader)->info().frameTimes.size() >= 74,
+             qPrintable(QString::number((*reader)->info().frameTimes.size())));
 }
 
 void TestRecordingWriter::timesNeverStandStill()

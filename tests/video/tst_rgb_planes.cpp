@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/video/rgb_planes.h"
+#include "core/video/camera_planes.h"
 
-#include "raw_colours.h"
 #include "tests/support/registered_test.h"
+#include "tests/video/raw_colours.h"
 
 using namespace odo;
 using namespace odo::test;

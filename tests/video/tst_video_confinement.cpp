@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whatever a video file says, reading it opens that file and no other, and no connection.
-#include "coded_frames.h"
 #include "core/video/picture_reader.h"
 #include "core/video/video_reader.h"
 #include "tests/support/registered_test.h"
+#include "tests/video/coded_frames.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -50,7 +50,8 @@ private:
     static inline std::set<std::string> s_names;
 };
 
-template <class Function> Function next(const char *name)
+template <class Function>
+Function next(const char *name)
 {
     return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
 }
@@ -124,18 +125,28 @@ private Q_SLOTS:
     void nothingElseIsOpened_data()
     {
         QTest::addColumn<QByteArray>("content");
-        const auto row = [](const char *name, const char *content) { QTest::newRow(name) << QByteArray(content); };
-        row("HLS", "#EXTM3U\n#EXT-X-VERSION:3\n#EXT-X-TARGETDURATION:2\n#EXT-X-MEDIA-SEQUENCE:0\n#EXTINF:2.0,\nother.mkv\n#EXT-X-ENDLIST\n");
-        row("HLS from the network", "#EXTM3U\n#EXT-X-TARGETDURATION:2\n#EXTINF:2.0,\nhttp://127.0.0.1:9/a.ts\n#EXT-X-ENDLIST\n");
-        row("HLS with a key", "#EXTM3U\n#EXT-X-TARGETDURATION:2\n#EXT-X-KEY:METHOD=AES-128,URI=\"file:///etc/passwd\"\n#EXTINF:2.0,\nother.mkv\n#EXT-X-ENDLIST\n");
+        const auto row = [](const char *name, const char *content) {
+            QTest::newRow(name) << QByteArray(content);
+        };
+        row("HLS", "#EXTM3U\n#EXT-X-VERSION:3\n#EXT-X-TARGETDURATION:2\n#EXT-X-MEDIA-SEQUENCE:0\n#EXTINF:2.0,"
+                   "\nother.mkv\n#EXT-X-ENDLIST\n");
+        row("HLS from the network",
+            "#EXTM3U\n#EXT-X-TARGETDURATION:2\n#EXTINF:2.0,\nhttp://127.0.0.1:9/a.ts\n#EXT-X-ENDLIST\n");
+        row("HLS with a key", "#EXTM3U\n#EXT-X-TARGETDURATION:2\n#EXT-X-KEY:METHOD=AES-128,URI=\"file:///etc/"
+                              "passwd\"\n#EXTINF:2.0,\nother.mkv\n#EXT-X-ENDLIST\n");
         row("concat", "ffconcat version 1.0\nfile 'other.mkv'\n");
         row("concat without its header", "file 'other.mkv'\nfile '/etc/passwd'\n");
-        row("SDP", "v=0\r\no=- 0 0 IN IP4 127.0.0.1\r\ns=x\r\nc=IN IP4 127.0.0.1\r\nt=0 0\r\nm=video 5004 RTP/AVP 96\r\na=rtpmap:96 H264/90000\r\n");
-        row("DASH", "<?xml version=\"1.0\"?>\n<MPD xmlns=\"urn:mpeg:dash:schema:mpd:2011\" type=\"static\"><Period><AdaptationSet>"
-                    "<Representation id=\"1\"><BaseURL>other.mkv</BaseURL></Representation></AdaptationSet></Period></MPD>\n");
+        row("SDP", "v=0\r\no=- 0 0 IN IP4 127.0.0.1\r\ns=x\r\nc=IN IP4 127.0.0.1\r\nt=0 0\r\nm=video 5004 "
+                   "RTP/AVP 96\r\na=rtpmap:96 H264/90000\r\n");
+        row("DASH",
+            "<?xml version=\"1.0\"?>\n<MPD xmlns=\"urn:mpeg:dash:schema:mpd:2011\" "
+            "type=\"static\"><Period><AdaptationSet>"
+            "<Representation "
+            "id=\"1\"><BaseURL>other.mkv</BaseURL></Representation></AdaptationSet></Period></MPD>\n");
         row("a list of pictures", "other%03d.png\n");
         row("RTSP of RealMedia", "rtsp://127.0.0.1:9/a\n");
-        row("an SVG with a picture", "<svg xmlns=\"http://www.w3.org/2000/svg\"><image href=\"file:///etc/passwd\"/></svg>\n");
+        row("an SVG with a picture",
+            "<svg xmlns=\"http://www.w3.org/2000/svg\"><image href=\"file:///etc/passwd\"/></svg>\n");
     }
     void nothingElseIsOpened()
     {
@@ -153,7 +164,10 @@ private Q_SLOTS:
     }
 
 private:
-    std::filesystem::path path(const std::string &name) const { return std::filesystem::path(m_folder.path().toStdString()) / name; }
+    std::filesystem::path path(const std::string &name) const
+    {
+        return std::filesystem::path(m_folder.path().toStdString()) / name;
+    }
     QTemporaryDir m_folder;
 };
 

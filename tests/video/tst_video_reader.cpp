@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "coded_frames.h"
 #include "core/video/video_reader.h"
 #include "tests/support/registered_test.h"
+#include "tests/video/coded_frames.h"
 
 #include <QDir>
 #include <QScopeGuard>
@@ -97,7 +97,7 @@ void TestVideoReader::seekingEqualsReading()
     QCOMPARE((*reader)->keyFrameBefore(0), 0);
     QCOMPARE((*reader)->keyFrameBefore(499), allKeys ? 499 : 250);
     QCOMPARE((*reader)->keyFrameBefore(count), 0); // there is no such frame
-    QVERIFY((*reader)->seek(300).has_value()); // reading goes on after a seek
+    QVERIFY((*reader)->seek(300).has_value());     // reading goes on after a seek
     for (int i = 300; i < 310; ++i)
         QCOMPARE(numberIn((*reader)->next().value().value()), i);
 }

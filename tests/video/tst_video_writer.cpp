@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "coded_frames.h"
 #include "core/video/video_reader.h"
 #include "tests/support/registered_test.h"
+#include "tests/video/coded_frames.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -31,7 +31,12 @@ private:
         return std::filesystem::path(m_folder.path().toStdString()) / name;
     }
     /// How many files are being written, or were left.
-    int temporaries() const { return int(QDir(m_folder.path()).entryList({QStringLiteral(".odograph-*")}, QDir::Dirs | QDir::Hidden).size()); }
+    int temporaries() const
+    {
+        return int(QDir(m_folder.path())
+                       .entryList({QStringLiteral(".odograph-*")}, QDir::Dirs | QDir::Hidden)
+                       .size());
+    }
     QTemporaryDir m_folder;
 };
 

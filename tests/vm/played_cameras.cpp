@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "played_cameras.h"
+#include "tests/vm/played_cameras.h"
 
 #include "tests/video/jpeg_pictures.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "uvc_camera.h"
-#include "vivid_cameras.h"
+#include "tests/vm/uvc_camera.h"
+#include "tests/vm/vivid_cameras.h"
 
 #include <memory>
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs in the emulated machine: the program itself, with a webcam that gives MJPEG and a camera that gives
 // raw pictures.
-#include "core/video/jpeg_decoder.h"
-#include "core/video/jpeg_file.h"
+#include "core/video/jpeg.h"
 #include "core/video/video_reader.h"
-#include "played_cameras.h"
 #include "tests/support/program.h"
+#include "tests/vm/played_cameras.h"
 
 #include <QJsonArray>
 #include <QJsonObject>

@@ -3,10 +3,10 @@
 // that return, while a session records two of them.
 #include "core/base/steady_now.h"
 #include "core/capture/capture_session.h"
-#include "core/capture/v4l2/v4l2_stream.h"
+#include "core/capture/v4l2/internal/v4l2_stream.h"
 #include "core/video/video_reader.h"
-#include "machine_stalls.h"
-#include "played_cameras.h"
+#include "tests/vm/machine_stalls.h"
+#include "tests/vm/played_cameras.h"
 
 #include <QTemporaryDir>
 #include <QTest>

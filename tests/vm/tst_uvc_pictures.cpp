@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs in the emulated machine: the kernel's driver of USB webcams, fed by two played ones. What they are,
 // MJPEG, damaged pictures, controls.
-#include "core/video/jpeg_decoder.h"
-#include "core/video/jpeg_file.h"
-#include "played_cameras.h"
+#include "core/video/jpeg.h"
+#include "tests/vm/played_cameras.h"
 
 #include <QTest>
 #include <algorithm>

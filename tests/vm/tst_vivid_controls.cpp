@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs in the emulated machine: the emulated camera has controls of every type.
-#include "vivid_cameras.h"
+#include "tests/vm/vivid_cameras.h"
 
 #include <QTest>
 #include <algorithm>

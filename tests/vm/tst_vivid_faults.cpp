@@ -3,9 +3,9 @@
 // away.
 #include "core/base/steady_now.h"
 #include "core/capture/capture_session.h"
-#include "core/capture/v4l2/v4l2_device.h"
-#include "machine_stalls.h"
-#include "vivid_cameras.h"
+#include "core/capture/v4l2/internal/v4l2_device.h"
+#include "tests/vm/machine_stalls.h"
+#include "tests/vm/vivid_cameras.h"
 
 #include <QTest>
 #include <algorithm>

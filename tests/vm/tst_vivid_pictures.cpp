@@ -2,7 +2,7 @@
 // Runs in the emulated machine: what the kernel's emulated cameras offer, and whether their pictures are read
 // rightly.
 #include "core/capture/v4l2/v4l2_source.h"
-#include "vivid_cameras.h"
+#include "tests/vm/vivid_cameras.h"
 
 #include <QTest>
 #include <algorithm>
@@ -67,7 +67,8 @@ private Q_SLOTS:
         QCOMPARE(cameras[0].name, std::string("vivid"));
         QCOMPARE(cameras[0].widthPx, 640); // 30 frames/s or more, nearest to 1280×720
         QCOMPARE(cameras[0].heightPx, 360);
-        QCOMPARE(cameras[1].formats.front(), std::string("YUYV 640×360 at 40 frames/s")); // the best comes first
+        // the best comes first
+        QCOMPARE(cameras[1].formats.front(), std::string("YUYV 640×360 at 40 frames/s"));
         QVERIFY(std::ranges::find(cameras[1].formats, "YUYV 640×480 at 25 frames/s") !=
                 cameras[1].formats.end());
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "uvc_controls.h"
+#include "tests/vm/uvc_controls.h"
 
 #include <chrono>
 #include <deque>
@@ -66,8 +66,7 @@ private:
     mutable std::mutex m_mutex; ///< guards what follows
     UvcControls m_controls;
     UsbBytes m_probe; ///< what was negotiated (USB Video Class 1.0, table 4-47)
-    bool m_ending = false, m_streaming = false, m_stalled = false, m_break = false,
-         m_shorten = false;
+    bool m_ending = false, m_streaming = false, m_stalled = false, m_break = false, m_shorten = false;
     bool m_toggle = false;
     unsigned m_count = 0;
     std::chrono::steady_clock::time_point m_due;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "uvc_controls.h"
+#include "tests/vm/uvc_controls.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "uvc_descriptors.h"
+#include "tests/vm/uvc_descriptors.h"
 
 #include <optional>
 

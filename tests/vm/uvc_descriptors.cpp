@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "uvc_descriptors.h"
+#include "tests/vm/uvc_descriptors.h"
 
 namespace odo::test {
 

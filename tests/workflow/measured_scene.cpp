@@ -3,7 +3,7 @@
 
 #include "core/simulation/renderer.h"
 #include "core/video/video_reader.h"
-#include "core/workflow/shadow_choice.h"
+#include "core/workflow/track/shadow_choice.h"
 
 #include <QTemporaryDir>
 #include <algorithm>
@@ -22,16 +22,21 @@ SceneFigures compared(const Profile &profile, const SimulatedScene &scene)
         const ProfilePoint &point = profile.points[i];
         if (!point.valid)
             continue;
-        const MotionState truth = scene.robots.front().motion->at(sceneTimeOfStamp(scene, 0, profile.samples[i].time));
+        const MotionState truth =
+            scene.robots.front().motion->at(sceneTimeOfStamp(scene, 0, profile.samples[i].time));
         const Eigen::Vector2d off = point.position - truth.position;
         figures.rmsM += off.squaredNorm();
         figures.velocityRms += (point.velocity - truth.velocity).squaredNorm();
         figures.accelerationRms += (point.acceleration - truth.acceleration).squaredNorm();
-        figures.insideShare += (std::abs(off.x()) < 1.96 * point.sigmaXM) + (std::abs(off.y()) < 1.96 * point.sigmaYM);
+        figures.insideShare +=
+            (std::abs(off.x()) < 1.96 * point.sigmaXM) + (std::abs(off.y()) < 1.96 * point.sigmaYM);
         count += 1;
     }
-    figures.disagreeShare = double(std::ranges::count_if(profile.samples, [](const Sample &sample) { return hasFlag(sample.flags, SampleFlag::ViewsDisagree); })) /
-                            double(profile.samples.size());
+    figures.disagreeShare =
+        double(std::ranges::count_if(
+            profile.samples,
+            [](const Sample &sample) { return hasFlag(sample.flags, SampleFlag::ViewsDisagree); })) /
+        double(profile.samples.size());
     figures.rmsM = std::sqrt(figures.rmsM / count);
     figures.velocityRms = std::sqrt(figures.velocityRms / count);
     figures.accelerationRms = std::sqrt(figures.accelerationRms / count);
@@ -45,10 +50,17 @@ SceneFigures compared(const Profile &profile, const SimulatedScene &scene)
 QString SceneFigures::words() const
 {
     return QStringLiteral("found %1, %2 mm, %3 inside, %4 mm/s, %5 mm/s2, %6 spikes, views disagree in %7")
-        .arg(foundShare, 0, 'f', 3).arg(1e3 * rmsM, 0, 'f', 2).arg(insideShare, 0, 'f', 2).arg(1e3 * velocityRms, 0, 'f', 1).arg(1e3 * accelerationRms, 0, 'f', 0).arg(spikes).arg(disagreeShare, 0, 'f', 2);
+        .arg(foundShare, 0, 'f', 3)
+        .arg(1e3 * rmsM, 0, 'f', 2)
+        .arg(insideShare, 0, 'f', 2)
+        .arg(1e3 * velocityRms, 0, 'f', 1)
+        .arg(1e3 * accelerationRms, 0, 'f', 0)
+        .arg(spikes)
+        .arg(disagreeShare, 0, 'f', 2);
 }
 
-Result<std::vector<RegisteredView>> renderedViews(const SimulatedScene &scene, const std::filesystem::path &folder)
+Result<std::vector<RegisteredView>> renderedViews(const SimulatedScene &scene,
+                                                  const std::filesystem::path &folder)
 {
     std::vector<RegisteredView> views;
     for (std::size_t camera = 0; camera < scene.cameras.size(); ++camera) {
@@ -68,7 +80,8 @@ Result<std::vector<RegisteredView>> renderedViews(const SimulatedScene &scene, c
     return views;
 }
 
-Result<SceneFigures> measuredByViews(const SimulatedScene &scene, const std::vector<RegisteredView> &views, const RobotRecord &robot)
+Result<SceneFigures> measuredByViews(const SimulatedScene &scene, const std::vector<RegisteredView> &views,
+                                     const RobotRecord &robot)
 {
     auto tracked = trackAndSettle(views, {robot}, {});
     if (!tracked)

@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/simulation/scene.h"
-#include "core/workflow/view_tracking.h"
+#include "core/workflow/track/view_tracking.h"
 
 #include <QString>
 #include <filesystem>
@@ -14,7 +14,7 @@ namespace odo::test {
 /// What was measured of a scene's first robot, against the truth.
 struct SceneFigures
 {
-    double foundShare = 0;  ///< of the first view's frames
+    double foundShare = 0; ///< of the first view's frames
     double rmsM = 0;
     double insideShare = 0; ///< of the coordinates that the stated 95 % hold
     double velocityRms = 0, accelerationRms = 0;
@@ -25,10 +25,12 @@ struct SceneFigures
 };
 
 /// The scene's videos, rendered into a folder, of cameras that are known exactly.
-Result<std::vector<RegisteredView>> renderedViews(const SimulatedScene &scene, const std::filesystem::path &folder);
+Result<std::vector<RegisteredView>> renderedViews(const SimulatedScene &scene,
+                                                  const std::filesystem::path &folder);
 
 /// Tracks and analyses rendered views. robot: what is told of the scene's first one.
-Result<SceneFigures> measuredByViews(const SimulatedScene &scene, const std::vector<RegisteredView> &views, const RobotRecord &robot);
+Result<SceneFigures> measuredByViews(const SimulatedScene &scene, const std::vector<RegisteredView> &views,
+                                     const RobotRecord &robot);
 /// Renders the scene's videos, tracks and analyses them by cameras that are known exactly.
 Result<SceneFigures> measuredScene(const SimulatedScene &scene, const std::optional<RgbColour> &colour = {});
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Robots of exactly the same look among one another: each keeps its name, or the stretch is said to be doubtful. ODOGRAPH_CROSSINGS: how many of two, of four and
-// of six robots; by default a few of two.
+// Robots of exactly the same look among one another: each keeps its name, or the stretch is said to be
+// doubtful. ODOGRAPH_CROSSINGS: how many of two, of four and of six robots; by default a few of two.
 #include "core/simulation/demo_testbed.h"
-#include "core/workflow/robot_names.h"
+#include "core/workflow/track/robot_names.h"
 #include "tests/support/registered_test.h"
 #include "tests/workflow/measured_scene.h"
 
@@ -26,7 +26,8 @@ SimulatedRobot buggy(int number)
     SimulatedRobot robot;
     robot.name = "buggy " + std::to_string(number);
     robot.heightM = 0.1;
-    robot.parts = {{S::Box, {238, 238, 235}, {0, 0, 0.045}, {0.18, 0.11, 0.046}}, {S::Box, {60, 110, 70}, {-0.02, 0, 0.085}, {0.1, 0.08, 0.034}}};
+    robot.parts = {{S::Box, {238, 238, 235}, {0, 0, 0.045}, {0.18, 0.11, 0.046}},
+                   {S::Box, {60, 110, 70}, {-0.02, 0, 0.085}, {0.1, 0.08, 0.034}}};
     for (const double x : {0.055, -0.055})
         for (const double y : {0.068, -0.068})
             robot.parts.push_back({S::Wheel, black, {x, y, 0.028}, {0.056, 0.024, 0.056}});
@@ -49,17 +50,21 @@ std::optional<int> crossingsIn(const SimulatedScene &scene)
                 const double here = apartM(scene, a, b, t);
                 if (here < leastApartM)
                     return std::nullopt;
-                crossings += here < nearM && here <= apartM(scene, a, b, t - stepS) && here < apartM(scene, a, b, t + stepS);
+                crossings += here < nearM && here <= apartM(scene, a, b, t - stepS) &&
+                             here < apartM(scene, a, b, t + stepS);
             }
         }
     }
     return crossings;
 }
 
-/// On ellipses whose ways cross, to both sides and at their own paces, drawn until they meet but do not touch.
+/// On ellipses whose ways cross, to both sides and at their own paces, drawn until they meet but do not
+/// touch.
 SimulatedScene drawnScene(int robots, std::mt19937 &random)
 {
-    const auto between = [&random](double from, double to) { return std::uniform_real_distribution<double>(from, to)(random); };
+    const auto between = [&random](double from, double to) {
+        return std::uniform_real_distribution<double>(from, to)(random);
+    };
     while (true) {
         SimulatedScene scene = demoTestbed(random());
         scene.durationS = durationS;
@@ -67,10 +72,12 @@ SimulatedScene drawnScene(int robots, std::mt19937 &random)
         for (int i = 0; i < robots; ++i) {
             SimulatedRobot robot = buggy(i);
             const double side = random() % 2 ? 1 : -1;
-            const Eigen::Vector2d middle = robots == 2 ? Eigen::Vector2d(1.5 + 0.28 * (i ? 1 : -1), 1.1)
-                                                       : Eigen::Vector2d(0.75 + 0.75 * (i % 3), i < 3 ? 0.75 : 1.5);
+            const Eigen::Vector2d middle = robots == 2
+                                               ? Eigen::Vector2d(1.5 + 0.28 * (i ? 1 : -1), 1.1)
+                                               : Eigen::Vector2d(0.75 + 0.75 * (i % 3), i < 3 ? 0.75 : 1.5);
             const double size = robots == 2 ? 0.62 : 0.45;
-            robot.motion = makeEllipseMotion(middle, size, side * size, between(7, 10), between(0, 2 * std::numbers::pi), 0.6);
+            robot.motion = makeEllipseMotion(middle, size, side * size, between(7, 10),
+                                             between(0, 2 * std::numbers::pi), 0.6);
             scene.robots.push_back(std::move(robot));
         }
         if (crossingsIn(scene).value_or(0) > 0)
@@ -87,7 +94,8 @@ struct AlikeFigures
     std::int64_t frames = 0, missing = 0;
 };
 
-void compare(const Profile &profile, const SimulatedScene &scene, std::size_t robot, const std::vector<NameDoubt> &doubts, AlikeFigures &figures)
+void compare(const Profile &profile, const SimulatedScene &scene, std::size_t robot,
+             const std::vector<NameDoubt> &doubts, AlikeFigures &figures)
 {
     std::optional<std::size_t> before;
     for (std::size_t i = 0; i < profile.points.size(); ++i) {
@@ -96,14 +104,17 @@ void compare(const Profile &profile, const SimulatedScene &scene, std::size_t ro
         if (!point.valid)
             continue;
         const double timeS = sceneTimeOfStamp(scene, 0, profile.samples[i].time);
-        const auto offOf = [&](std::size_t other) { return Eigen::Vector2d(point.position - scene.robots[other].motion->at(timeS).position); };
+        const auto offOf = [&](std::size_t other) {
+            return Eigen::Vector2d(point.position - scene.robots[other].motion->at(timeS).position);
+        };
         std::size_t nearest = 0;
         for (std::size_t other = 1; other < scene.robots.size(); ++other)
             nearest = offOf(other).norm() < offOf(nearest).norm() ? other : nearest;
         const Eigen::Vector2d off = offOf(nearest);
         figures.squares += off.squaredNorm();
         figures.points += 1;
-        figures.inside += ((std::abs(off.x()) < 1.96 * point.sigmaXM) + (std::abs(off.y()) < 1.96 * point.sigmaYM)) / 2.0;
+        figures.inside +=
+            ((std::abs(off.x()) < 1.96 * point.sigmaXM) + (std::abs(off.y()) < 1.96 * point.sigmaYM)) / 2.0;
         if (before && nearest != *before) {
             constexpr double atHandS = 0.3;
             const double atS = toSeconds(profile.samples[i].time);
@@ -169,14 +180,24 @@ private Q_SLOTS:
             if (QTest::currentTestFailed())
                 return;
         }
-        const double rmsMm = 1e3 * std::sqrt(figures.squares / figures.points), inside = figures.inside / figures.points,
+        const double rmsMm = 1e3 * std::sqrt(figures.squares / figures.points),
+                     inside = figures.inside / figures.points,
                      found = 1 - double(figures.missing) / double(figures.frames);
-        const QString words = QStringLiteral("%1 crossings: %2 exchanges, %3 of them unmarked, doubtful %4 %; found %5 %, %6 mm, %7 inside, %8 spikes in %9 frames")
-                                  .arg(crossings).arg(figures.exchanges).arg(figures.unmarked).arg(100 * figures.doubtfulS / figures.wholeS, 0, 'f', 2)
-                                  .arg(100 * found, 0, 'f', 1).arg(rmsMm, 0, 'f', 2).arg(inside, 0, 'f', 2).arg(figures.spikes).arg(figures.frames);
+        const QString words = QStringLiteral("%1 crossings: %2 exchanges, %3 of them unmarked, doubtful %4 "
+                                             "%; found %5 %, %6 mm, %7 inside, %8 spikes in %9 frames")
+                                  .arg(crossings)
+                                  .arg(figures.exchanges)
+                                  .arg(figures.unmarked)
+                                  .arg(100 * figures.doubtfulS / figures.wholeS, 0, 'f', 2)
+                                  .arg(100 * found, 0, 'f', 1)
+                                  .arg(rmsMm, 0, 'f', 2)
+                                  .arg(inside, 0, 'f', 2)
+                                  .arg(figures.spikes)
+                                  .arg(figures.frames);
         qInfo("%s", qPrintable(words));
         QVERIFY2(figures.unmarked == 0 && figures.doubtfulS < 0.02 * figures.wholeS, qPrintable(words));
-        QVERIFY2(found > 0.99 && rmsMm < 4 && inside > 0.9 && figures.spikes <= 2 + figures.frames / 1000, qPrintable(words));
+        QVERIFY2(found > 0.99 && rmsMm < 4 && inside > 0.9 && figures.spikes <= 2 + figures.frames / 1000,
+                 qPrintable(words));
     }
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Robots that are no plain boxes, without a word about them or with their colour told, from the videos to the curves.
+// Robots that are no plain boxes, without a word about them or with their colour told, from the videos to the
+// curves.
 #include "core/simulation/demo_testbed.h"
 #include "tests/support/registered_test.h"
 #include "tests/workflow/measured_scene.h"
@@ -61,17 +62,24 @@ private Q_SLOTS:
         QFETCH(int, look);
         QFETCH(int, way);
         QFETCH(bool, isColourTold);
-        const Look looks[] = {{"red", {200, 35, 40}, {215, 205, 160}}, {"white", {240, 240, 236}, {30, 60, 140}}, {"black", {32, 32, 34}, {44, 44, 46}}, {"grey", {70, 70, 73}, {235, 235, 235}, false}};
+        const Look looks[] = {{"red", {200, 35, 40}, {215, 205, 160}},
+                              {"white", {240, 240, 236}, {30, 60, 140}},
+                              {"black", {32, 32, 34}, {44, 44, 46}},
+                              {"grey", {70, 70, 73}, {235, 235, 235}, false}};
         SimulatedScene scene = demoTestbed(std::uint32_t(31 + look));
         scene.durationS = way == 2 ? 14 : 8;
         scene.lamps = {Lamp{{0.4, 0.2, 2.4}, 0.12, 0.3}};
-        const std::shared_ptr<const Motion> ways[] = {makeFigureEightMotion({1.5, 1.1}, 0.9, 0.55, 6, 0.5), makeCircleMotion({1.5, 1.1}, 0.7, 0.7, 0.6),
+        const std::shared_ptr<const Motion> ways[] = {makeFigureEightMotion({1.5, 1.1}, 0.9, 0.55, 6, 0.5),
+                                                      makeCircleMotion({1.5, 1.1}, 0.7, 0.7, 0.6),
                                                       makeLineMotion({0.6, 0.7}, {2.4, 1.5}, 10, 3)};
         scene.robots = {robotOf(looks[look], ways[way])};
-        const auto figures = measuredScene(scene, isColourTold ? std::optional(looks[look].body) : std::nullopt);
+        const auto figures =
+            measuredScene(scene, isColourTold ? std::optional(looks[look].body) : std::nullopt);
         QVERIFY2(figures.has_value(), figures ? "" : figures.error().message().c_str());
         qInfo("%s", qPrintable(figures->words()));
-        QVERIFY2(figures->foundShare > 0.99 && figures->rmsM < 0.004 && figures->insideShare > 0.9 && figures->spikes <= 1, qPrintable(figures->words()));
+        QVERIFY2(figures->foundShare > 0.99 && figures->rmsM < 0.004 && figures->insideShare > 0.9 &&
+                     figures->spikes <= 1,
+                 qPrintable(figures->words()));
     }
 };
 

@@ -2,10 +2,10 @@
 // What long work tells in the list of changes.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/calibrate/register_job.h"
 #include "core/workflow/job.h"
-#include "core/workflow/register_job.h"
-#include "core/workflow/reprocess_job.h"
-#include "core/workflow/track_job.h"
+#include "core/workflow/track/reanalysis.h"
+#include "core/workflow/track/track_job.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 

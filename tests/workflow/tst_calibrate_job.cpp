@@ -3,11 +3,10 @@
 #include "core/calibration/board_collector.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/simulation/board_poses.h"
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
-#include "core/workflow/calibrate_job.h"
-#include "core/workflow/cameras.h"
+#include "core/workflow/calibrate/calibrate_job.h"
+#include "core/workflow/calibrate/cameras.h"
 #include "tests/support/registered_test.h"
 
 #include <QDir>
@@ -25,7 +24,8 @@ constexpr int widthPx = 640, heightPx = 360;
 
 CameraModel camera(double focalPx = 560)
 {
-    return *CameraModel::create({widthPx, heightPx, focalPx, focalPx + 1, 322, 178, LensModel::Standard, {-0.1, 0.02, 0, 0}, {}});
+    return *CameraModel::create(
+        {widthPx, heightPx, focalPx, focalPx + 1, 322, 178, LensModel::Standard, {-0.1, 0.02, 0, 0}, {}});
 }
 
 std::vector<RigidTransform> poses(int count)
@@ -149,7 +149,8 @@ class TestCalibrateJob : public QObject
         const auto done = runToEnd(job, *m_project, {});
         if (!done)
             return last ? "failed: " + done.error().message() : done.error().message();
-        return last && !job.calibration().rejected.empty() ? job.calibration().rejected.back().reason : "accepted";
+        return last && !job.calibration().rejected.empty() ? job.calibration().rejected.back().reason
+                                                           : "accepted";
     }
 
 private Q_SLOTS:
@@ -170,13 +171,15 @@ private Q_SLOTS:
         const auto id = m_project->cameras().find("Cam/1")->id;
         const IntrinsicsRecord record = **m_project->cameras().currentIntrinsics(id);
         QCOMPARE(record.softwareVersion, std::string(ODOGRAPH_VERSION));
-        QVERIFY(record.board.pattern == BoardPattern::Checkerboard && record.board.columns == 9 && record.board.rows == 6);
+        QVERIFY(record.board.pattern == BoardPattern::Checkerboard && record.board.columns == 9 &&
+                record.board.rows == 6);
         QCOMPARE(record.board.squareM, 0.025);
         QVERIFY(!record.calibration.lensReason.empty());
         QCOMPARE(record.files.size(), job.calibration().pictures.size());
         for (const StoredPicture &picture : record.files) {
             QVERIFY2(picture.path.starts_with("run.media/calibration/Cam-1_board_"), picture.path.c_str());
-            QCOMPARE(qint64(picture.bytes), QFileInfo(m_folder->filePath(QString::fromStdString(picture.path))).size());
+            QCOMPARE(qint64(picture.bytes),
+                     QFileInfo(m_folder->filePath(QString::fromStdString(picture.path))).size());
         }
         QVERIFY(m_project->check(true)->empty());
 
@@ -195,7 +198,8 @@ private Q_SLOTS:
             files.push_back(path(QString::fromStdString(picture.path)));
         CalibrateJob second({"Cam/1", files, {}, record.calibration.intrinsics.model});
         QVERIFY(runToEnd(second, *m_project, {}).has_value());
-        QVERIFY(std::abs(second.calibration().intrinsics.fxPx / record.calibration.intrinsics.fxPx - 1) < 0.001);
+        QVERIFY(std::abs(second.calibration().intrinsics.fxPx / record.calibration.intrinsics.fxPx - 1) <
+                0.001);
         QCOMPARE(m_project->cameras().allIntrinsics(id)->size(), std::size_t(2));
         QVERIFY(m_project->check(true)->empty());
 
@@ -206,9 +210,12 @@ private Q_SLOTS:
         changed.close();
         const auto problems = m_project->check(true);
         QCOMPARE(problems->size(), std::size_t(2));
-        QCOMPARE(problems->at(0).what, std::string("the calibration picture 'board 0.png' of camera 'Cam/1' is missing"));
-        QCOMPARE(problems->at(1).what,
-                 std::string("the calibration picture 'board 1.png' of camera 'Cam/1' was changed since it was made"));
+        QCOMPARE(problems->at(0).what,
+                 std::string("the calibration picture 'board 0.png' of camera 'Cam/1' is missing"));
+        QCOMPARE(
+            problems->at(1).what,
+            std::string(
+                "the calibration picture 'board 1.png' of camera 'Cam/1' was changed since it was made"));
     }
     void whatFailsLeavesNothing()
     {
@@ -235,13 +242,15 @@ private Q_SLOTS:
         QTest::addColumn<QString>("words");
         const char *rows[][2] = {
             {"no board", "no board found; show the whole board, flat, sharp and well lit"},
-            {"another size", "inner corners, 7x5 was asked for; count the inner corners, or leave the size out"},
+            {"another size",
+             "inner corners, 7x5 was asked for; count the inner corners, or leave the size out"},
             {"blurred", "the board is blurred: its edges are "},
             {"cut off", "keep the whole board in the picture"},
             {"too oblique", "the board is seen too obliquely, at "},
             {"too small", "the board is too small: it fills "},
             {"another resolution", "the first picture 640×360; use pictures of one camera at one resolution"},
-            {"the same pose again", "the board stands as in p.png already; move it elsewhere, turn it or tilt it"},
+            {"the same pose again",
+             "the board stands as in p.png already; move it elsewhere, turn it or tilt it"},
             {"no such file", "there is no such file; check the name and the folder"},
             {"not a picture", "it is no PNG, JPEG, BMP, TIFF or PNM picture"},
             {"damaged picture", "its content is damaged or cut short"},
@@ -252,7 +261,8 @@ private Q_SLOTS:
             {"two zooms", "the pictures ask for two focal lengths: 8 for about "},
             {"not a number", "a corner of it is not a number: let the board be found in it again"},
             {"too few corners", "it has 4 corners of the board, six are needed: show more of it"},
-            {"collinear corners", "its corners do not lie as on a flat board: glue the board onto something stiff"},
+            {"collinear corners",
+             "its corners do not lie as on a flat board: glue the board onto something stiff"},
             {"squares of no size", "the squares have no size; give it like 25mm"},
             {"a board of 2×2", "a board of 2x2 inner corners is too small; give 3x3 at least, like 9x6"},
             {"a picture without size", "the picture has no size; use pictures of the camera"},
@@ -291,11 +301,13 @@ private:
         case 4: {
             RigidTransform oblique;
             oblique.rotation = Eigen::AngleAxisd(68 * EIGEN_PI / 180, Eigen::Vector3d::UnitY());
-            oblique.translation = Eigen::Vector3d(0, 0, 0.3) - oblique.rotation * Eigen::Vector3d(0.1, 0.0625, 0);
+            oblique.translation =
+                Eigen::Vector3d(0, 0, 0.3) - oblique.rotation * Eigen::Vector3d(0.1, 0.0625, 0);
             return offered(collector, rendered(oblique, CameraModel::assumed(widthPx, heightPx)));
         }
         case 5:
-            return offered(collector, rendered(posed({0, 0, 2.6}, 0), CameraModel::assumed(widthPx, heightPx)));
+            return offered(collector,
+                           rendered(posed({0, 0, 2.6}, 0), CameraModel::assumed(widthPx, heightPx)));
         case 6: {
             offered(collector, rendered(plain));
             SimulatedBoard board;
@@ -311,7 +323,9 @@ private:
             return withGood(written(QStringLiteral("letter.png"), "Dear class"));
         case 10: {
             QFile whole(QString::fromStdString(pictures(1)[0].string()));
-            return whole.open(QIODevice::ReadOnly) ? withGood(written(QStringLiteral("half.png"), whole.read(400))) : "";
+            return whole.open(QIODevice::ReadOnly)
+                       ? withGood(written(QStringLiteral("half.png"), whole.read(400)))
+                       : "";
         }
         case 11:
             return withGood(written(QStringLiteral("clip.mp4"), {}));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
-#include "core/workflow/copy_job.h"
+#include "core/workflow/project_copy.h"
 #include "tests/support/registered_test.h"
 
 #include <QFile>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// When robots of one look could not be told apart is kept with the analysis: made again it keeps them, tracked again it has new ones.
+// When robots of one look could not be told apart is kept with the analysis: made again it keeps them,
+// tracked again it has new ones.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/robot_names.h"
-#include "core/workflow/track_job.h"
+#include "core/workflow/track/robot_names.h"
+#include "core/workflow/track/track_job.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 
@@ -24,7 +25,8 @@ private Q_SLOTS:
             robots[r].id = RecordId(10 + r);
             robots[r].name = "Blue " + std::to_string(r);
         }
-        const auto stored = doubtfulNamesOf({{0, 1, 1.5, {2}}, {0, 4, 4.25, {1, 2}}, {2, 1, 1.5, {}}}, robots);
+        const auto stored =
+            doubtfulNamesOf({{0, 1, 1.5, {2}}, {0, 4, 4.25, {1, 2}}, {2, 1, 1.5, {}}}, robots);
         QCOMPARE(stored.size(), std::size_t(3));
         QCOMPARE(stored[0].size(), std::size_t(2));
         QVERIFY(stored[0][1].from == 4s && stored[0][1].to == 4250ms);
@@ -61,7 +63,9 @@ private Q_SLOTS:
         QCOMPARE(kept.size(), std::size_t(1));
         QVERIFY(kept.front().from == 500ms && kept.front().to == 700ms);
         QVERIFY((kept.front().otherNames == std::vector<std::string>{"Blue 1"}));
-        QVERIFY(std::ranges::any_of(again.warnings, [](const std::string &warning) { return warning.find("doubtful whether this is Red 2 or Blue 1") != std::string::npos; }));
+        QVERIFY(std::ranges::any_of(again.warnings, [](const std::string &warning) {
+            return warning.find("doubtful whether this is Red 2 or Blue 1") != std::string::npos;
+        }));
 
         const TrackOutcome anew = track(false);
         QCOMPARE(anew.robots.size(), std::size_t(1));

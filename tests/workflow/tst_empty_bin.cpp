@@ -25,7 +25,8 @@ private Q_SLOTS:
     /// Only files in the media folder that no other trial needs go; what is elsewhere is somebody's own.
     void filesOfItsOwnGo()
     {
-        const RecordId one = addTrial("one", {"year.media/own.mkv", "year.media/shared.mkv", "elsewhere.mkv"});
+        const RecordId one =
+            addTrial("one", {"year.media/own.mkv", "year.media/shared.mkv", "elsewhere.mkv"});
         const RecordId two = addTrial("two", {"year.media/shared.mkv"});
         QVERIFY(m_project->trials().setBinned(one, true));
         const BinContent content = binContent(*m_project).value();
@@ -70,7 +71,8 @@ private Q_SLOTS:
 
     void whatWasTakenOutStays()
     {
-        const RecordId one = addTrial("one", {"year.media/one.mkv"}), two = addTrial("two", {"year.media/two.mkv"});
+        const RecordId one = addTrial("one", {"year.media/one.mkv"}),
+                       two = addTrial("two", {"year.media/two.mkv"});
         QVERIFY(m_project->trials().setBinned(one, true) && m_project->trials().setBinned(two, true));
         EmptyBinJob job(binContent(*m_project).value());
         QVERIFY(m_project->trials().setBinned(two, false));
@@ -102,7 +104,10 @@ private Q_SLOTS:
     }
 
 private:
-    std::filesystem::path path(const char *name) const { return m_folder->filePath(QString::fromLatin1(name)).toStdString(); }
+    std::filesystem::path path(const char *name) const
+    {
+        return m_folder->filePath(QString::fromLatin1(name)).toStdString();
+    }
     RecordId addTrial(const std::string &name, const std::vector<std::string> &paths)
     {
         TrialRecord trial;

@@ -3,7 +3,7 @@
 #include "core/project/repositories.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
-#include "core/workflow/import_trial_job.h"
+#include "core/workflow/import/import_trial_job.h"
 #include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
@@ -14,8 +14,8 @@ using namespace odo;
 
 using Sync = ImportSettings::Sync;
 
-/// Import puts each view in step with the first one: as it is told, or from a flash of light in rendered videos of
-/// cameras that nothing else is known of. (From the motion: tests/acceptance.)
+/// Import puts each view in step with the first one: as it is told, or from a flash of light in rendered
+/// videos of cameras that nothing else is known of. (From the motion: tests/acceptance.)
 class TestImportInStep : public QObject
 {
     Q_OBJECT
@@ -72,8 +72,11 @@ void TestImportInStep::findsAFlash()
     QVERIFY2(done, done ? "" : done.error().message().c_str());
     const auto trial = m_project->trials().find("flash");
     QCOMPARE(trial->syncMethod, std::string("flash"));
-    QVERIFY2(std::abs(trial->syncOffsetS - m_offsetS) < 3 * trial->syncOffsetSigmaS && trial->syncOffsetSigmaS < 0.02,
-             qPrintable(QStringLiteral("%1 +- %2").arg(trial->syncOffsetS - m_offsetS).arg(trial->syncOffsetSigmaS)));
+    QVERIFY2(
+        std::abs(trial->syncOffsetS - m_offsetS) < 3 * trial->syncOffsetSigmaS &&
+            trial->syncOffsetSigmaS < 0.02,
+        qPrintable(
+            QStringLiteral("%1 +- %2").arg(trial->syncOffsetS - m_offsetS).arg(trial->syncOffsetSigmaS)));
     QCOMPARE(trial->syncScore, 1.0);
     const auto views = m_project->trials().recordings(trial->id);
     QCOMPARE((*views)[0].syncMethod, std::string());
@@ -108,10 +111,12 @@ void TestImportInStep::saysWhatToDoWithoutAFlash()
     const auto done = runToEnd(job, *m_project, {});
     QVERIFY2(done, done ? "" : done.error().message().c_str());
     QCOMPARE(m_project->trials().find("dull")->syncMethod, std::string("none"));
-    QCOMPARE(job.warnings().front(),
-             std::string("synchronisation of view 'B': camera 'A' is not registered to the floor, and only one of the "
-                         "views shows a flash of light, so it is taken as begun together; flash the room lights once "
-                         "while both cameras record, or give --sync SECONDS"));
+    QCOMPARE(
+        job.warnings().front(),
+        std::string(
+            "synchronisation of view 'B': camera 'A' is not registered to the floor, and only one of the "
+            "views shows a flash of light, so it is taken as begun together; flash the room lights once "
+            "while both cameras record, or give --sync SECONDS"));
 }
 
 void TestImportInStep::refusesStepsOfOtherNumber()

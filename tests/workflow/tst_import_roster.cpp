@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/import_roster.h"
+#include "core/workflow/import/teams.h"
 #include "tests/support/registered_test.h"
 
 #include <QFile>
@@ -17,14 +17,16 @@ private Q_SLOTS:
     void init()
     {
         m_folder = std::make_unique<QTemporaryDir>();
-        m_project = std::move(*Project::create(m_folder->filePath(QStringLiteral("year.odo")).toStdString(), "Year"));
+        m_project =
+            std::move(*Project::create(m_folder->filePath(QStringLiteral("year.odo")).toStdString(), "Year"));
     }
 
     void teamsAreTakenOver()
     {
         QVERIFY(m_project->teams().add({0, "Heron", "9A", "Team 1"}));
         QVERIFY(m_project->teams().add({0, "Owl", "9B", ""}));
-        const auto outcome = import("\xef\xbb\xbfTeam,Members,class,Pseudonym\r\nFalcon,\"Ann, Ben\",9B,Team 4\r\n\r\nHeron,Cy,9B,\r\nOwl,,9B,\r\n");
+        const auto outcome = import("\xef\xbb\xbfTeam,Members,class,Pseudonym\r\nFalcon,\"Ann, Ben\",9B,Team "
+                                    "4\r\n\r\nHeron,Cy,9B,\r\nOwl,,9B,\r\n");
         QVERIFY2(outcome, outcome ? "" : outcome.error().message().c_str());
         QVERIFY(outcome->added == 1 && outcome->changed == 1 && outcome->unchanged == 1);
         QVERIFY(team("Falcon").className == "9B" && team("Falcon").pseudonym == "Team 4");
@@ -58,17 +60,24 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QString>("why");
         QTest::addRow("empty") << QByteArray() << "the file is empty";
-        QTest::addRow("no team column") << QByteArray("class,name\n9B,Falcon\n") << "it lacks the column team";
+        QTest::addRow("no team column")
+            << QByteArray("class,name\n9B,Falcon\n") << "it lacks the column team";
         QTest::addRow("no class column") << QByteArray("team\nFalcon\n") << "it lacks the column class";
-        QTest::addRow("semicolons") << QByteArray("class;team\n9B;Falcon\n") << "its columns are separated by semicolons";
+        QTest::addRow("semicolons") << QByteArray("class;team\n9B;Falcon\n")
+                                    << "its columns are separated by semicolons";
         QTest::addRow("header alone") << QByteArray("class,team\n") << "it has no team";
-        QTest::addRow("each bad line") << QByteArray("class,team\n9B,Falcon\n9B,\n,Owl\n9C,Falcon\n9B,Heron\n")
-                                       << "line 3 has no team; line 4 has no class for team 'Owl'; line 5 names team 'Falcon' again, as line 2";
+        QTest::addRow("each bad line")
+            << QByteArray("class,team\n9B,Falcon\n9B,\n,Owl\n9C,Falcon\n9B,Heron\n")
+            << "line 3 has no team; line 4 has no class for team 'Owl'; line 5 names team 'Falcon' again, as "
+               "line 2";
         QTest::addRow("a short line") << QByteArray("class,team\n9B\n") << "line 2 has no team";
-        QTest::addRow("no quotes at the end") << QByteArray("class,team\n9B,\"Fal\n") << "a quoted cell does not end";
+        QTest::addRow("no quotes at the end")
+            << QByteArray("class,team\n9B,\"Fal\n") << "a quoted cell does not end";
         QTest::addRow("names that cannot be")
-            << QByteArray("class,team\n9B,Falcon\n9B," + QByteArray(201, 'x') + "\n9B,two\x01words\n") << "line 3: ";
-        QTest::addRow("very many") << "class,team\n" + QByteArray("9B,\n").repeated(12) << "; line 11 has no team; and 2 lines more";
+            << QByteArray("class,team\n9B,Falcon\n9B," + QByteArray(201, 'x') + "\n9B,two\x01words\n")
+            << "line 3: ";
+        QTest::addRow("very many") << "class,team\n" + QByteArray("9B,\n").repeated(12)
+                                   << "; line 11 has no team; and 2 lines more";
     }
     void badLinesAreTold()
     {
@@ -84,7 +93,10 @@ private Q_SLOTS:
 
     void aFileThatIsNotThere()
     {
-        QCOMPARE(importRoster(*m_project, m_folder->filePath(QStringLiteral("none.csv")).toStdString()).error().code, ErrorCode::NotFound);
+        QCOMPARE(importRoster(*m_project, m_folder->filePath(QStringLiteral("none.csv")).toStdString())
+                     .error()
+                     .code,
+                 ErrorCode::NotFound);
     }
 
 private:

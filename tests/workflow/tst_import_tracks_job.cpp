@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/exchange/track_csv.h"
-#include "core/exchange/track_text.h"
+#include "core/exchange/track_export.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/trajectory/imported_track.h"
-#include "core/workflow/compare_trials.h"
+#include "core/workflow/compare/compare_trials.h"
 #include "core/workflow/export_job.h"
-#include "core/workflow/import_tracks_job.h"
-#include "core/workflow/imported_tracks.h"
-#include "core/workflow/overrule_job.h"
-#include "core/workflow/reprocess_job.h"
-#include "core/workflow/track_job.h"
+#include "core/workflow/import/import_tracks_job.h"
+#include "core/workflow/track/reanalysis.h"
+#include "core/workflow/track/track_job.h"
+#include "core/workflow/trial_sources.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/project_content.h"
 
@@ -44,8 +42,10 @@ class TestImportTracksJob : public QObject
         QByteArray text = "t_s,x_mm,y_mm\n";
         for (int i = 0; i < 200; ++i) {
             const double t = i / 50.0, wobble = 0.4 * std::sin(i * 2.3); // mm
-            text += QByteArray::number(begin + t, 'f', 6) + ',' + QByteArray::number(500 * std::cos(2 * t) + wobble + (hasJump && i == 100 ? 300 : 0), 'f', 3) +
-                    ',' + QByteArray::number(500 * std::sin(2 * t) - wobble, 'f', 3) + '\n';
+            text +=
+                QByteArray::number(begin + t, 'f', 6) + ',' +
+                QByteArray::number(500 * std::cos(2 * t) + wobble + (hasJump && i == 100 ? 300 : 0), 'f', 3) +
+                ',' + QByteArray::number(500 * std::sin(2 * t) - wobble, 'f', 3) + '\n';
         }
         return text;
     }
@@ -78,7 +78,8 @@ private Q_SLOTS:
     void init()
     {
         m_folder = std::make_unique<QTemporaryDir>();
-        m_project = std::move(*Project::create(m_folder->filePath(QStringLiteral("class.odo")).toStdString(), "class"));
+        m_project = std::move(
+            *Project::create(m_folder->filePath(QStringLiteral("class.odo")).toStdString(), "class"));
     }
 
     void becomesARun()
@@ -89,7 +90,8 @@ private Q_SLOTS:
         ImportTracksJob job(settings);
         const auto done = runToEnd(job, *m_project, JobControl());
         QVERIFY2(done, done ? "" : done.error().message().c_str());
-        QCOMPARE(job.warnings(), std::vector<std::string>{"robot 'red' is new: it was added with the colour #0072b2"});
+        QCOMPARE(job.warnings(),
+                 std::vector<std::string>{"robot 'red' is new: it was added with the colour #0072b2"});
 
         const TrialRecord trial = m_project->trials().find("lap").value();
         QCOMPARE(trial.teamName, std::string("Falcon"));
@@ -107,12 +109,14 @@ private Q_SLOTS:
         QVERIFY(sources && sources->size() == 1);
         const ImportedTrack &source = sources->front();
         QCOMPARE(source.file, std::string("lap.csv"));
-        QCOMPARE(source.sha256, QCryptographicHash::hash(text, QCryptographicHash::Sha256).toHex().toStdString());
+        QCOMPARE(source.sha256,
+                 QCryptographicHash::hash(text, QCryptographicHash::Sha256).toHex().toStdString());
         QCOMPARE(source.bytes, std::int64_t(text.size()));
         QCOMPARE(source.format, std::string("csv"));
         const double noiseM = source.noiseM;
         QVERIFY2(noiseM > 0.0001 && noiseM < 0.001, qPrintable(QString::number(noiseM)));
-        QCOMPARE(source.reading, "positions to " + formatNumber(1e3 * noiseM, 2) + " mm, as estimated from them");
+        QCOMPARE(source.reading,
+                 "positions to " + formatNumber(1e3 * noiseM, 2) + " mm, as estimated from them");
         QCOMPARE(m_project->changes()->front().words, std::string("import trial lap"));
         QVERIFY(m_project->check(true)->empty());
     }
@@ -150,7 +154,8 @@ private Q_SLOTS:
         TrackJob track("lap", {});
         const auto done = runToEnd(track, *m_project, JobControl());
         QVERIFY(!done);
-        QCOMPARE(done.error().message(), std::string("trial 'lap': its tracks were imported, so there is no video to track in; analyse them anew with: "
+        QCOMPARE(done.error().message(), std::string("trial 'lap': its tracks were imported, so there is no "
+                                                     "video to track in; analyse them anew with: "
                                                      "odograph track PROJECT TRIAL --again"));
     }
     void isMeasuredByATask()
@@ -162,7 +167,8 @@ private Q_SLOTS:
         ImportTracksSettings settings = settingsOf("lap", write("lap.csv", circle()));
         settings.task = "lap";
         QVERIFY(import(settings));
-        QCOMPARE(analysisOf("lap").profile.passages.size() + (analysisOf("lap").task != 0 ? 0 : 100), std::size_t(2));
+        QCOMPARE(analysisOf("lap").profile.passages.size() + (analysisOf("lap").task != 0 ? 0 : 100),
+                 std::size_t(2));
         settings.trial = "other";
         settings.task = "none";
         QVERIFY(errorOf(settings).starts_with("task 'none': "));
@@ -188,11 +194,12 @@ private Q_SLOTS:
     {
         QVERIFY(import(settingsOf("lap", write("lap.csv", circle(0.4, false)))));
         const AnalysisRecord first = analysisOf("lap");
-        const std::vector<std::pair<const char *, std::string>> files = {{"a.csv", trackCsv(first, CsvStyle::Analysis)},
-                                                                         {"i.csv", trackCsv(first, CsvStyle::International)},
-                                                                         {"c.csv", trackCsv(first, CsvStyle::Continental)},
-                                                                         {"t.txt", trackTracker(first)},
-                                                                         {"t.tum", trackTum(first)}};
+        const std::vector<std::pair<const char *, std::string>> files = {
+            {"a.csv", trackCsv(first, CsvStyle::Analysis)},
+            {"i.csv", trackCsv(first, CsvStyle::International)},
+            {"c.csv", trackCsv(first, CsvStyle::Continental)},
+            {"t.txt", trackTracker(first)},
+            {"t.tum", trackTum(first)}};
         for (const auto &[name, text] : files) {
             QVERIFY2(import(settingsOf(name, write(name, QByteArray::fromStdString(text)))), name);
             const AnalysisRecord second = analysisOf(name);
@@ -200,8 +207,10 @@ private Q_SLOTS:
             const bool isMetres = std::string_view(name).starts_with("t.");
             for (std::size_t i = 0; i < first.profile.samples.size(); ++i) {
                 QCOMPARE(second.profile.samples[i].time, first.profile.samples[i].time);
-                const Eigen::Vector2d &was = first.profile.points[i].position, &is = *second.profile.samples[i].position;
-                // TUM and Tracker's text say metres with all digits. Millimetres are 1000 times as much and back: a unit of the last place or so.
+                const Eigen::Vector2d &was = first.profile.points[i].position,
+                                      &is = *second.profile.samples[i].position;
+                // TUM and Tracker's text say metres with all digits. Millimetres are 1000 times as much and
+                // back: a unit of the last place or so.
                 QVERIFY(isMetres ? is == was : (is - was).norm() <= 4e-16 * was.norm());
             }
             const ImportedTrack source = importedTracksOf(*m_project, *m_project->trials().find(name))->at(0);
@@ -210,8 +219,10 @@ private Q_SLOTS:
     }
     void severalRobotsShareAClock()
     {
-        const auto both = write("both.txt", "#multi:\n\tred\t\tblue_1\t\t\nt\tx\ty\tx\ty\t\n5000\t0\t0\t\t\t\n5000.1\t0.1\t0\t1\t1\t\n5000.2\t0.2\t0\t1\t1.1\t\n"
-                                            "5000.3\t0.3\t0\t1\t1.2\t\n5000.4\t0.4\t0\t1\t1.3\t\n");
+        const auto both =
+            write("both.txt", "#multi:\n\tred\t\tblue_1\t\t\nt\tx\ty\tx\ty\t\n5000\t0\t0\t\t\t\n5000.1\t0."
+                              "1\t0\t1\t1\t\n5000.2\t0.2\t0\t1\t1.1\t\n"
+                              "5000.3\t0.3\t0\t1\t1.2\t\n5000.4\t0.4\t0\t1\t1.3\t\n");
         ImportTracksSettings settings = settingsOf("two", both);
         settings.tracks.emplace_back("blue 1", both);
         QVERIFY2(import(settings), "two tracks of one file");
@@ -220,10 +231,13 @@ private Q_SLOTS:
         QCOMPARE(analyses->at(1).profile.samples[1].time, Nanoseconds(100000000));
         QVERIFY(!analyses->at(1).profile.samples[0].position);
         const auto source = importedTracksOf(*m_project, *m_project->trials().find("two"))->at(1);
-        QVERIFY2(source.reading.ends_with("; the file's track 'blue_1'; its times count from 5000.000 s"), source.reading.c_str());
+        QVERIFY2(source.reading.ends_with("; the file's track 'blue_1'; its times count from 5000.000 s"),
+                 source.reading.c_str());
         settings.trial = "third";
         settings.tracks[0].first = "green";
-        QCOMPARE(errorOf(settings), "file '" + both.string() + "': none of its tracks is called 'green'; it has 'red', 'blue_1'; give the robot the name of one of them");
+        QCOMPARE(errorOf(settings), "file '" + both.string() +
+                                        "': none of its tracks is called 'green'; it has 'red', 'blue_1'; "
+                                        "give the robot the name of one of them");
     }
     void removedForGood()
     {
@@ -236,14 +250,21 @@ private Q_SLOTS:
     void mistakesLeaveTheProjectAlone()
     {
         QVERIFY(import(settingsOf("lap", write("lap.csv", circle()))));
-        QCOMPARE(errorOf(settingsOf("lap", write("lap.csv", circle()))), std::string("import of trial 'lap': the project has a trial of that name; choose another name"));
-        QCOMPARE(errorOf(settingsOf("new", "nowhere.csv")), std::string("'nowhere.csv': there is no such file; check the name and the folder"));
+        QCOMPARE(
+            errorOf(settingsOf("lap", write("lap.csv", circle()))),
+            std::string("import of trial 'lap': the project has a trial of that name; choose another name"));
+        QCOMPARE(errorOf(settingsOf("new", "nowhere.csv")),
+                 std::string("'nowhere.csv': there is no such file; check the name and the folder"));
         const auto bad = write("bad.csv", "t_s,x_mm,y_mm\n0,0,0\n0,0,0\n");
-        QCOMPARE(errorOf(settingsOf("new", bad)), bad.string() + ":3: its time is that of the line before; put the lines in the order of time, each time once");
+        QCOMPARE(errorOf(settingsOf("new", bad)),
+                 bad.string() + ":3: its time is that of the line before; put the lines in the order of "
+                                "time, each time once");
         ImportTracksSettings twice = settingsOf("new", write("lap.csv", circle()));
         twice.tracks.push_back(twice.tracks.front());
-        QCOMPARE(errorOf(twice), std::string("import of trial 'new': robot 'red' was given two tracks; give each robot one"));
-        QVERIFY(errorOf(settingsOf("new\nline", write("lap.csv", circle()))).starts_with("name of a trial: "));
+        QCOMPARE(errorOf(twice),
+                 std::string("import of trial 'new': robot 'red' was given two tracks; give each robot one"));
+        QVERIFY(
+            errorOf(settingsOf("new\nline", write("lap.csv", circle()))).starts_with("name of a trial: "));
         ImportTracksSettings unknown = settingsOf("new", write("lap.csv", circle()));
         unknown.tracks[0].first = std::string(10000, 'x');
         QVERIFY(errorOf(unknown).find("at most 200") != std::string::npos);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/import_trial_job.h"
+#include "core/workflow/import/import_trial_job.h"
 #include "tests/support/registered_test.h"
 #include "tests/video/coded_frames.h"
 
@@ -16,10 +16,7 @@ class TestImportTrial : public QObject
 {
     Q_OBJECT
 private Q_SLOTS:
-    void initTestCase()
-    {
-        m_project = std::move(*Project::create(path("class.odo"), "Class"));
-    }
+    void initTestCase() { m_project = std::move(*Project::create(path("class.odo"), "Class")); }
 
     /// As telephones record, where each picture has a time of its own.
     void anUnevenRateIsTold()
@@ -28,8 +25,10 @@ private Q_SLOTS:
         for (int i = 0; i < 60; ++i)
             times.push_back(std::chrono::milliseconds(40 * i + (i % 5 == 4 ? 25 : 0)));
         const auto warnings = imported("uneven", times);
-        QCOMPARE(warnings, std::vector<std::string>{"video 'uneven.mkv': its frame rate varies, pictures are 15 to 65 ms apart; each counts at its own time"});
-        const auto stored = m_project->trials().recordings(m_project->trials().find("uneven")->id)->front().frameTimes;
+        QCOMPARE(warnings, std::vector<std::string>{"video 'uneven.mkv': its frame rate varies, pictures are "
+                                                    "15 to 65 ms apart; each counts at its own time"});
+        const auto stored =
+            m_project->trials().recordings(m_project->trials().find("uneven")->id)->front().frameTimes;
         QCOMPARE(stored, times);
     }
 
@@ -57,7 +56,10 @@ private Q_SLOTS:
     }
 
 private:
-    std::filesystem::path path(const std::string &name) const { return std::filesystem::path(m_folder.path().toStdString()) / name; }
+    std::filesystem::path path(const std::string &name) const
+    {
+        return std::filesystem::path(m_folder.path().toStdString()) / name;
+    }
     std::vector<std::string> imported(const std::string &trial, const std::vector<Nanoseconds> &times)
     {
         if (const QString problem = writeCoded(path(trial + ".mkv"), times, {}); !problem.isEmpty())

@@ -70,7 +70,8 @@ class TestJobRunner : public QObject
 private Q_SLOTS:
     void initTestCase()
     {
-        m_project = std::move(*Project::create(m_folder.filePath(QStringLiteral("p.odo")).toStdString(), "p"));
+        m_project =
+            std::move(*Project::create(m_folder.filePath(QStringLiteral("p.odo")).toStdString(), "p"));
     }
 
     void onlyTheLongStepLeavesTheProjectsThread()

@@ -2,7 +2,7 @@
 #include "core/project/class_repository.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/line_up.h"
+#include "core/workflow/record/line_up.h"
 #include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>

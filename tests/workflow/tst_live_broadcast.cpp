@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/steady_now.h"
-#include "core/workflow/live_broadcast.h"
+#include "core/workflow/record/live_broadcast.h"
 #include "tests/support/datagram_receiver.h"
 #include "tests/support/protobuf_decoder.h"
 #include "tests/support/registered_test.h"
@@ -65,14 +65,16 @@ private Q_SLOTS:
         QCOMPARE(frame->first(1)->bits, quint64(0));
         QCOMPARE(frame->fields.count(6), std::size_t(1));
         QCOMPARE(frame->fields.count(7), std::size_t(1));
-        const auto yellow = decodeMessage(frame->first(6)->bytes), blue = decodeMessage(frame->first(7)->bytes);
+        const auto yellow = decodeMessage(frame->first(6)->bytes),
+                   blue = decodeMessage(frame->first(7)->bytes);
         QCOMPARE(yellow->first(3)->shortReal(), 250.0f);
         QCOMPARE(yellow->first(4)->shortReal(), -500.0f);
         QCOMPARE(yellow->first(5)->shortReal(), 1.57079633f); // towards Y
         QCOMPARE(yellow->first(8)->shortReal(), 60.0f);
         QCOMPARE(blue->first(3)->shortReal(), 750.0f);
         QVERIFY(!blue->first(5)); // standing, it shows no heading
-        const double nowS = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+        const double nowS =
+            std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
         const double sentS = frame->first(3)->real(), capturedS = frame->first(2)->real();
         QVERIFY(sentS <= nowS && sentS > nowS - 20);
         QVERIFY(sentS - capturedS >= 0.04 && sentS - capturedS < 20);
@@ -115,15 +117,18 @@ private Q_SLOTS:
         for (std::uint64_t i = 0; i < count; ++i)
             (*broadcast)->take(momentOf(i % 2, Nanoseconds(i / 2 + 1), 0, 1));
         const auto figures = (*broadcast)->figures();
-        const std::uint64_t packets = figures.sent + figures.failed; // of one robot, where the other one's moment was dropped, or of two
-        constexpr std::uint64_t waiting = 64 + 2;                    // at most: in the queue, and in the packet that is being filled
+        // of one robot, where the other one's moment was dropped, or of two
+        const std::uint64_t packets = figures.sent + figures.failed;
+        // at most: in the queue, and in the packet that is being filled
+        constexpr std::uint64_t waiting = 64 + 2;
         QVERIFY(figures.dropped + packets <= count);
         QVERIFY(figures.dropped + 2 * packets + waiting >= count);
     }
     void coloursAndNumbers()
     {
         std::vector<RobotRecord> robots(7);
-        const std::vector<RgbColour> colours = {{255, 0, 0}, {0, 0, 255}, {128, 128, 128}, {0, 200, 0}, {0, 255, 255}, {255, 0, 255}, {255, 255, 0}};
+        const std::vector<RgbColour> colours = {{255, 0, 0},   {0, 0, 255},   {128, 128, 128}, {0, 200, 0},
+                                                {0, 255, 255}, {255, 0, 255}, {255, 255, 0}};
         for (std::size_t i = 0; i < robots.size(); ++i)
             robots[i].colour = colours[i];
         const auto numbers = sslNumbers(robots);
@@ -138,10 +143,14 @@ private Q_SLOTS:
         QCOMPARE(parseBroadcastTarget("10.0.0.7")->address, std::string("10.0.0.7"));
         QCOMPARE(parseBroadcastTarget("10.0.0.7")->port, std::uint16_t(10006));
         QCOMPARE(parseBroadcastTarget("224.5.23.2:10020")->port, std::uint16_t(10020));
-        for (const char *wrong : {"robots.example", "10.0.0", "10.0.0.7:", "10.0.0.7:0", "10.0.0.7:70000", "10.0.0.7:1x", ":", "::1"}) {
+        for (const char *wrong : {"robots.example", "10.0.0", "10.0.0.7:", "10.0.0.7:0", "10.0.0.7:70000",
+                                  "10.0.0.7:1x", ":", "::1"}) {
             const auto target = parseBroadcastTarget(wrong);
             QVERIFY2(!target, wrong);
-            QCOMPARE(target.error().message(), "address '" + std::string(wrong) + "' of live positions: it is no IPv4 address with a port; write it like 224.5.23.2:10006");
+            QCOMPARE(
+                target.error().message(),
+                "address '" + std::string(wrong) +
+                    "' of live positions: it is no IPv4 address with a port; write it like 224.5.23.2:10006");
         }
     }
     void groups()
@@ -157,7 +166,8 @@ private Q_SLOTS:
         target.interface = "none7";
         const auto broadcast = LiveBroadcast::create(target, {});
         QVERIFY(!broadcast);
-        QCOMPARE(broadcast.error().message(), std::string("interface 'none7' of live positions: this machine has none of that name; choose one that `ip link` "
+        QCOMPARE(broadcast.error().message(), std::string("interface 'none7' of live positions: this machine "
+                                                          "has none of that name; choose one that `ip link` "
                                                           "names, or lo to stay on this machine"));
     }
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/workflow/live_tracking.h"
+#include "core/workflow/record/live_tracking.h"
 
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
@@ -210,8 +210,9 @@ void TestLiveTracking::aRobotOfAnyLookIsFoundOnceItHasMoved()
     drive.play(0, 6);
     live->reset();
     const auto [rms, count] = drive.positionRms();
-    // The background is learned while it leaves its own first place, at the latest when half of the run is over; each view
-    // learns in its own thread, so that the first place differs by a few frames from run to run.
+    // The background is learned while it leaves its own first place, at the latest when half of the run is
+    // over; each view learns in its own thread, so that the first place differs by a few frames from run to
+    // run.
     QVERIFY2(count >= 90, qPrintable(QString::number(count)));
     QVERIFY2(rms < 0.01, qPrintable(QString::number(rms)));
 }

@@ -4,9 +4,8 @@
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 #include "core/video/video_reader.h"
-#include "core/workflow/hash_job.h"
-#include "core/workflow/live_trial.h"
-#include "core/workflow/recover_job.h"
+#include "core/workflow/record/completed_recordings.h"
+#include "core/workflow/record/live_trial.h"
 #include "tests/capture/played_camera.h"
 #include "tests/support/registered_test.h"
 
@@ -36,7 +35,8 @@ struct Sitting
             b, PlayedCamera::Kind{.beginning = beginning, .clockStart = -3600s, .phase = 7ms}));
         session = std::make_unique<CaptureSession>(std::move(cameras), CaptureSettings{0s});
     }
-    Result<std::shared_ptr<LiveTrial>> begin(const std::string &name = "run", const std::vector<std::string> &cameras = {"A", "B"})
+    Result<std::shared_ptr<LiveTrial>> begin(const std::string &name = "run",
+                                             const std::vector<std::string> &cameras = {"A", "B"})
     {
         TrialRecord trial;
         trial.name = name;
@@ -152,8 +152,10 @@ void TestLiveTrial::viewsNeverShareAFile_data()
     QTest::addColumn<QString>("trial");
     QTest::addColumn<QString>("first");
     QTest::addColumn<QString>("second");
-    QTest::newRow("names that differ in what no file has") << QStringLiteral("run") << QStringLiteral("A?") << QStringLiteral("A*");
-    QTest::newRow("longer than a file's name") << QString(100, u'x') << QStringLiteral("A") << QStringLiteral("B");
+    QTest::newRow("names that differ in what no file has")
+        << QStringLiteral("run") << QStringLiteral("A?") << QStringLiteral("A*");
+    QTest::newRow("longer than a file's name")
+        << QString(100, u'x') << QStringLiteral("A") << QStringLiteral("B");
 }
 
 /// Their names become files' names, in which they may be the same.
@@ -167,11 +169,14 @@ void TestLiveTrial::viewsNeverShareAFile()
     QVERIFY2(live, live ? "" : live.error().message().c_str());
     sitting.a->pictures(lot);
     sitting.b->pictures(lot);
-    const auto recordings = sitting.project->trials().recordings(sitting.project->trials().find(trial.toStdString())->id);
+    const auto recordings =
+        sitting.project->trials().recordings(sitting.project->trials().find(trial.toStdString())->id);
     for (const RecordingRecord &recording : *recordings)
-        QTRY_VERIFY((*live)->append(*sitting.project) && sitting.project->trials().rawTimes(recording.id)->pictures.size() == lot);
+        QTRY_VERIFY((*live)->append(*sitting.project) &&
+                    sitting.project->trials().rawTimes(recording.id)->pictures.size() == lot);
     QVERIFY(runToEnd(**live, *sitting.project, {}));
-    QVERIFY2((*live)->warnings().empty(), (*live)->warnings().empty() ? "" : (*live)->warnings().front().c_str());
+    QVERIFY2((*live)->warnings().empty(),
+             (*live)->warnings().empty() ? "" : (*live)->warnings().front().c_str());
     QCOMPARE(sitting.media().size(), 2);
 }
 
@@ -346,7 +351,8 @@ void TestLiveTrial::hashesAreMadeAfterwards()
     QCOMPARE(sitting.project->check(true)->size(), std::size_t(1));
 }
 
-/// Its disk was taken out of the file system: a media folder in the place where it was would be on another one.
+/// Its disk was taken out of the file system: a media folder in the place where it was would be on another
+/// one.
 void TestLiveTrial::aProjectThatIsNoLongerThereIsNotRecordedInto()
 {
     Sitting sitting;
@@ -355,8 +361,9 @@ void TestLiveTrial::aProjectThatIsNoLongerThereIsNotRecordedInto()
     const auto live = sitting.begin();
     QVERIFY(!live);
     QCOMPARE(live.error().code, ErrorCode::NotFound);
-    QCOMPARE(live.error().message(), std::string("recording of trial 'run': the project's file is no longer there; "
-                                                 "put its disk or folder back where it was; nothing was recorded"));
+    QCOMPARE(live.error().message(),
+             std::string("recording of trial 'run': the project's file is no longer there; "
+                         "put its disk or folder back where it was; nothing was recorded"));
     QVERIFY(!QFile::exists(sitting.folder.filePath(QStringLiteral("p.media"))));
     QVERIFY(QFile::rename(file + QStringLiteral(".away"), file));
     QVERIFY(sitting.begin());
@@ -375,7 +382,8 @@ void TestLiveTrial::aDiskThatIsTakenAwayKeepsTheTrial()
         QTRY_VERIFY((sitting.a->pictures(1), sitting.b->pictures(1), sitting.session->health().disk.ended));
         const auto ended = runToEnd(**live, *sitting.project, {});
         QVERIFY(!ended);
-        QVERIFY2(ended.error().message().ends_with("its file is no longer there; put its disk or folder back where it was; what was recorded so far is there"),
+        QVERIFY2(ended.error().message().ends_with("its file is no longer there; put its disk or folder back "
+                                                   "where it was; what was recorded so far is there"),
                  ended.error().message().c_str());
         QVERIFY(sitting.trial().unfinished);
         QVERIFY(QDir().rename(media + QStringLiteral(".away"), media));

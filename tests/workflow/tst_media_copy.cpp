@@ -39,7 +39,8 @@ private Q_SLOTS:
         QVERIFY2(copy.has_value(), copy ? "" : copy.error().message().c_str());
         QCOMPARE(copy->file.path(), media / "run_1_A.mkv");
         QCOMPARE(copy->bytes, std::int64_t(content.size()));
-        QCOMPARE(copy->sha256, QCryptographicHash::hash(content, QCryptographicHash::Sha256).toHex().toStdString());
+        QCOMPARE(copy->sha256,
+                 QCryptographicHash::hash(content, QCryptographicHash::Sha256).toHex().toStdString());
         QFile written(QString::fromStdString(copy->file.path().string()));
         QVERIFY(written.open(QIODevice::ReadOnly));
         QCOMPARE(written.readAll(), content);
@@ -51,7 +52,8 @@ private Q_SLOTS:
         const auto source = makeFile(folder, "abc");
         const std::filesystem::path media = folder.filePath(QStringLiteral("p.media")).toStdString();
         QCOMPARE(copyIntoMedia(source, media, "../../etc/A", {})->file.path().parent_path(), media);
-        const auto first = copyIntoMedia(source, media, "A", {}), second = copyIntoMedia(source, media, "A", {});
+        const auto first = copyIntoMedia(source, media, "A", {}),
+                   second = copyIntoMedia(source, media, "A", {});
         QVERIFY(first->file.path() != second->file.path());
     }
 
@@ -67,7 +69,8 @@ private Q_SLOTS:
             QCOMPARE(QDir(QString::fromStdString(media.string())).entryList(QDir::Files).size(), 2);
             kept->file.keep();
         }
-        QCOMPARE(QDir(QString::fromStdString(media.string())).entryList(QDir::Files), QStringList{QStringLiteral("A.mkv")});
+        QCOMPARE(QDir(QString::fromStdString(media.string())).entryList(QDir::Files),
+                 QStringList{QStringLiteral("A.mkv")});
     }
 
     void whatSomebodyWritesIsRefused()
@@ -77,7 +80,8 @@ private Q_SLOTS:
         const auto written = claimMediaFile(media, "A", ".mkv");
         const auto copy = copyIntoMedia(written->path(), media, "B", {});
         QVERIFY(!copy && copy.error().code == ErrorCode::Unavailable);
-        QVERIFY(copy.error().message().find("another program is writing or removing it just now") != std::string::npos);
+        QVERIFY(copy.error().message().find("another program is writing or removing it just now") !=
+                std::string::npos);
     }
 
     void aFileInTheMediaFolderStaysWhereItIs()
@@ -99,9 +103,12 @@ private Q_SLOTS:
         const std::filesystem::path media = folder.filePath(QStringLiteral("p.media")).toStdString();
         std::filesystem::create_directory(media);
         constexpr std::uintmax_t bytes = 400'000'000; // of a file that takes no room
-        { std::ofstream(media / "a.mkv"); }
+        {
+            std::ofstream(media / "a.mkv");
+        }
         std::filesystem::resize_file(media / "a.mkv", bytes);
-        auto copy = std::async(std::launch::async, [&] { return copyIntoMedia(media / "a.mkv", media, "A", {}); });
+        auto copy =
+            std::async(std::launch::async, [&] { return copyIntoMedia(media / "a.mkv", media, "A", {}); });
         const auto isBeingHashed = [&] {
             int open = 0;
             std::error_code isGone;

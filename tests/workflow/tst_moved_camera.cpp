@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/demo_robots.h"
 #include "core/simulation/demo_testbed.h"
 #include "tests/support/registered_test.h"
 #include "tests/workflow/measured_scene.h"
@@ -33,12 +32,14 @@ RobotRecord told()
     return robot;
 }
 
-/// As registered before the camera was turned by an angle about the vertical, with what a registration leaves open.
+/// As registered before the camera was turned by an angle about the vertical, with what a registration leaves
+/// open.
 FloorView registeredBefore(const FloorView &now, double turnRad)
 {
     Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
     constexpr double angleRad = 2e-4, placeM = 5e-4;
-    covariance.diagonal() << Eigen::Vector3d::Constant(angleRad * angleRad), Eigen::Vector3d::Constant(placeM * placeM);
+    covariance.diagonal() << Eigen::Vector3d::Constant(angleRad * angleRad),
+        Eigen::Vector3d::Constant(placeM * placeM);
     RigidTransform pose = now.worldFromCamera();
     pose.rotation = Eigen::AngleAxisd(turnRad, Eigen::Vector3d::UnitZ()) * pose.rotation;
     return {now.camera(), pose, covariance};
@@ -64,8 +65,11 @@ private Q_SLOTS:
             (*views)[0].floorView = registeredBefore(truth, turnDegrees * std::numbers::pi / 180);
             const auto figures = measuredByViews(scene, *views, told());
             QVERIFY2(figures.has_value(), figures ? "" : figures.error().message().c_str());
-            QVERIFY2(figures->insideShare > 0.9 && figures->foundShare > 0.99 && figures->spikes <= 5, qPrintable(figures->words()));
-            QVERIFY2(turnDegrees == 0 ? figures->disagreeShare < 0.01 && figures->rmsM < 0.003 : figures->disagreeShare > 0.9, qPrintable(figures->words()));
+            QVERIFY2(figures->insideShare > 0.9 && figures->foundShare > 0.99 && figures->spikes <= 5,
+                     qPrintable(figures->words()));
+            QVERIFY2(turnDegrees == 0 ? figures->disagreeShare < 0.01 && figures->rmsM < 0.003
+                                      : figures->disagreeShare > 0.9,
+                     qPrintable(figures->words()));
         }
     }
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/demo.h"
-#include "core/workflow/new_project_like.h"
+#include "core/workflow/project_copy.h"
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -28,14 +28,16 @@ private Q_SLOTS:
     void theSetUpIsTakenOver()
     {
         QVERIFY(makeProjectLike(m_original, m_new, "Next year", {}));
-        const auto from = Project::open(m_original, Project::Access::ReadOnly), to = Project::open(m_new, Project::Access::ReadWrite);
+        const auto from = Project::open(m_original, Project::Access::ReadOnly),
+                   to = Project::open(m_new, Project::Access::ReadWrite);
         QVERIFY(from && to);
         QCOMPARE((*to)->title().value(), std::string("Next year"));
         QVERIFY(!(*from)->cameras().all()->empty());
         QCOMPARE((*to)->cameras().all()->size(), (*from)->cameras().all()->size());
         const auto cameras = (*to)->cameras().all();
         for (const CameraRecord &camera : *cameras) {
-            const auto before = (*from)->cameras().currentIntrinsics((*from)->cameras().find(camera.name)->id);
+            const auto before =
+                (*from)->cameras().currentIntrinsics((*from)->cameras().find(camera.name)->id);
             const auto lens = (*to)->cameras().currentIntrinsics(camera.id);
             QVERIFY(before->has_value() && lens->has_value());
             QCOMPARE((*lens)->calibration.intrinsics.fxPx, (*before)->calibration.intrinsics.fxPx);
@@ -46,7 +48,8 @@ private Q_SLOTS:
         QCOMPARE((*to)->tasks().current()->size(), (*from)->tasks().current()->size());
         const auto tasks = (*to)->tasks().current();
         for (const TaskRecord &task : *tasks)
-            QCOMPARE((*to)->tasks().scoring(task.id)->size(), (*from)->tasks().scoring((*from)->tasks().find(task.name)->id)->size());
+            QCOMPARE((*to)->tasks().scoring(task.id)->size(),
+                     (*from)->tasks().scoring((*from)->tasks().find(task.name)->id)->size());
         QVERIFY((*to)->teams().all()->empty() && (*to)->trials().names()->empty());
         QVERIFY((*to)->check(false)->empty());
     }
@@ -56,13 +59,15 @@ private Q_SLOTS:
         const auto again = makeProjectLike(m_original, m_new, "Another", {});
         QVERIFY(!again);
         QCOMPARE(again.error().code, ErrorCode::AlreadyExists);
-        QCOMPARE((*Project::open(m_new, Project::Access::ReadOnly))->title().value(), std::string("Next year"));
+        QCOMPARE((*Project::open(m_new, Project::Access::ReadOnly))->title().value(),
+                 std::string("Next year"));
     }
     void noNameOfAnotherProjectIsTaken()
     {
         const std::filesystem::path lock = m_original.string() + ".lock";
         QCOMPARE(makeProjectLike(m_original, lock, "Next year", {}).error().code, ErrorCode::WrongCall);
-        const std::filesystem::path demo = m_original.parent_path() / (m_original.stem().string() + ".media") / "demo";
+        const std::filesystem::path demo =
+            m_original.parent_path() / (m_original.stem().string() + ".media") / "demo";
         QCOMPARE(makeDemo(demo, {}).error().code, ErrorCode::WrongCall);
         QVERIFY(!std::filesystem::exists(lock) && !std::filesystem::exists(demo));
     }
@@ -73,7 +78,8 @@ private Q_SLOTS:
         const auto stopped = makeProjectLike(m_original, m_new, "Next year", control);
         QVERIFY(!stopped && stopped.error().code == ErrorCode::Cancelled);
         QVERIFY(!std::filesystem::exists(m_new));
-        QVERIFY(!makeProjectLike(m_folder->filePath(QStringLiteral("none.odo")).toStdString(), m_new, "Next year", {}));
+        QVERIFY(!makeProjectLike(m_folder->filePath(QStringLiteral("none.odo")).toStdString(), m_new,
+                                 "Next year", {}));
         QVERIFY(!std::filesystem::exists(m_new));
     }
 

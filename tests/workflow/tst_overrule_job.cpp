@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A person's word on a sample is one change: it is taken back, and made again, as a whole.
-#include "core/base/without_value.h"
+#include "core/base/error.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/overrule_job.h"
+#include "core/workflow/track/reanalysis.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/project_content.h"
 #include "tests/ui/support/stored_example.h"
@@ -65,11 +65,13 @@ private Q_SLOTS:
         const auto stored = slow.commit(*project);
         QVERIFY(!stored);
         QCOMPARE(QString::fromStdString(stored.error().message()),
-                 QStringLiteral("frame 12 of trial 'Trial 1': another sample was judged by hand while this one was analysed; say it again for frame 12"));
+                 QStringLiteral("frame 12 of trial 'Trial 1': another sample was judged by hand while this "
+                                "one was analysed; say it again for frame 12"));
         QCOMPARE(contentOf(*project), before);
     }
 
-    /// Another program, or our own tracking, that analysed the robot again: what it shows would stay, whatever Undone says.
+    /// Another program, or our own tracking, that analysed the robot again: what it shows would stay,
+    /// whatever Undone says.
     void isNotTakenBackUnderALaterAnalysis_data()
     {
         QTest::addColumn<bool>("isRedo");
@@ -94,7 +96,8 @@ private Q_SLOTS:
             const auto analyses = project->analyses().current(project->trials().find("Trial 1")->id);
             AnalysisRecord other = analyses->front();
             other.trial = project->trials().find("Trial 2")->id;
-            QVERIFY(project->note("measure another trial", [&] { return withoutValue(project->analyses().add(other)); }));
+            QVERIFY(project->note("measure another trial",
+                                  [&] { return withoutValue(project->analyses().add(other)); }));
             QVERIFY(project->undo());
         }
         const auto outside = Project::openAgain(project->file(), Project::Access::ReadWrite).value();
@@ -104,7 +107,8 @@ private Q_SLOTS:
         QVERIFY(!done);
         QCOMPARE(done.error().code, ErrorCode::InvalidInput);
         QCOMPARE(QString::fromStdString(done.error().message()),
-                 QStringLiteral("%1 'mark frame 12 of Trial 1 as a spike': what it concerns has been changed or used since; take the later "
+                 QStringLiteral("%1 'mark frame 12 of Trial 1 as a spike': what it concerns has been changed "
+                                "or used since; take the later "
                                 "change back first, or leave it")
                      .arg(isRedo ? QStringLiteral("redo") : QStringLiteral("undo")));
         QCOMPARE(contentOf(*project), before);

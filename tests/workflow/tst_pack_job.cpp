@@ -4,8 +4,8 @@
 #include "core/project/project.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
-#include "core/workflow/pack_job.h"
-#include "core/workflow/relink_job.h"
+#include "core/workflow/media_repair.h"
+#include "core/workflow/project_copy.h"
 #include "tests/support/registered_test.h"
 
 #include <QDir>
@@ -22,7 +22,8 @@ namespace {
 int damagedFiles(Project &project)
 {
     const auto problems = project.check(true).value();
-    return static_cast<int>(std::ranges::count_if(problems, [](const ProjectProblem &problem) { return !problem.what.ends_with("uses this file"); }));
+    return static_cast<int>(std::ranges::count_if(
+        problems, [](const ProjectProblem &problem) { return !problem.what.ends_with("uses this file"); }));
 }
 
 } // namespace
@@ -208,8 +209,10 @@ void TestPackJob::aVideoElsewhereThatIsAnotherFileIsLeftOut()
     write("elsewhere/run.mkv", content);
     PackJob job(file("lesson.zip"));
     QVERIFY(runToEnd(job, *m_project, {}));
-    QCOMPARE(job.warnings(), std::vector<std::string>{"the video of camera A in trial 'run' lies elsewhere and is another file than it was, "
-                                                      "and not in the packed project"});
+    QCOMPARE(job.warnings(),
+             std::vector<std::string>{
+                 "the video of camera A in trial 'run' lies elsewhere and is another file than it was, "
+                 "and not in the packed project"});
     QVERIFY(unpackArchive(file("lesson.zip"), file("home"), {}));
     QVERIFY(QFile::exists(path("home/lesson.media/run.mkv")));
     QVERIFY(!QFile::exists(path("home/lesson.media/run_2.mkv")));

@@ -2,8 +2,8 @@
 // Where a person points a robot out is kept with the trial and tracked by; what cannot be meant is refused.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/registered_view.h"
-#include "core/workflow/track_job.h"
+#include "core/workflow/track/track_job.h"
+#include "core/workflow/trial_sources.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 
@@ -31,7 +31,8 @@ private Q_SLOTS:
     {
         QCOMPARE(track({}), QString());
         const auto [view, observation] = seen(10);
-        const RobotPointer pointer{"Red 2", view.recording.cameraName, toSeconds(observation.time), observation.ellipse.centrePx};
+        const RobotPointer pointer{"Red 2", view.recording.cameraName, toSeconds(observation.time),
+                                   observation.ellipse.centrePx};
         QCOMPARE(track({pointer}), QString());
         auto stored = m_project->trials().pointedOut(m_trial.id).value();
         QCOMPARE(stored.size(), std::size_t(1));
@@ -41,7 +42,8 @@ private Q_SLOTS:
         QVERIFY(seen(10).second.found);
 
         const auto later = seen(15).second;
-        QCOMPARE(track({{"Red 2", view.recording.cameraName, toSeconds(later.time), later.ellipse.centrePx}}), QString());
+        QCOMPARE(track({{"Red 2", view.recording.cameraName, toSeconds(later.time), later.ellipse.centrePx}}),
+                 QString());
         stored = m_project->trials().pointedOut(m_trial.id).value();
         QCOMPARE(stored.size(), std::size_t(1));
         QCOMPARE(stored.front().frame, later.frame);
@@ -57,13 +59,22 @@ private Q_SLOTS:
         QTest::addColumn<double>("timeS");
         QTest::addColumn<QPointF>("pixel");
         QTest::addColumn<QString>("why");
-        QTest::newRow("robot") << "Nobody" << "A" << 0.5 << QPointF(10, 10) << "is not tracked in trial";
-        QTest::newRow("view") << "Red 2" << "Z" << 0.5 << QPointF(10, 10) << "the trial has no such view";
-        QTest::newRow("time") << "Red 2" << "A" << 500.0 << QPointF(10, 10) << "the view has no picture at that time";
-        QTest::newRow("before") << "Red 2" << "A" << -3.0 << QPointF(10, 10) << "the view has no picture at that time";
-        QTest::newRow("outside") << "Red 2" << "A" << 0.5 << QPointF(10, 1e9) << "the place lies outside the picture";
-        QTest::newRow("no number") << "Red 2" << "A" << std::nan("") << QPointF(10, 10) << "the view has no picture at that time";
-        QTest::newRow("nothing there") << "Red 2" << "A" << 0.5 << QPointF(2, 2) << "nothing stands out from the floor at 2,2 at 0.5";
+        QTest::newRow("robot") << "Nobody"
+                               << "A" << 0.5 << QPointF(10, 10) << "is not tracked in trial";
+        QTest::newRow("view") << "Red 2"
+                              << "Z" << 0.5 << QPointF(10, 10) << "the trial has no such view";
+        QTest::newRow("time") << "Red 2"
+                              << "A" << 500.0 << QPointF(10, 10) << "the view has no picture at that time";
+        QTest::newRow("before") << "Red 2"
+                                << "A" << -3.0 << QPointF(10, 10) << "the view has no picture at that time";
+        QTest::newRow("outside") << "Red 2"
+                                 << "A" << 0.5 << QPointF(10, 1e9) << "the place lies outside the picture";
+        QTest::newRow("no number") << "Red 2"
+                                   << "A" << std::nan("") << QPointF(10, 10)
+                                   << "the view has no picture at that time";
+        QTest::newRow("nothing there")
+            << "Red 2"
+            << "A" << 0.5 << QPointF(2, 2) << "nothing stands out from the floor at 2,2 at 0.5";
     }
 
     void whatCannotBeMeantIsRefused()
@@ -74,7 +85,8 @@ private Q_SLOTS:
         QFETCH(QPointF, pixel);
         QFETCH(QString, why);
         const auto before = m_project->analyses().current(m_trial.id)->size();
-        const QString words = track({{robot.toStdString(), view.toStdString(), timeS, {pixel.x(), pixel.y()}}});
+        const QString words =
+            track({{robot.toStdString(), view.toStdString(), timeS, {pixel.x(), pixel.y()}}});
         QVERIFY2(words.contains(why), qPrintable(words));
         QVERIFY(m_project->trials().pointedOut(m_trial.id)->empty());
         QCOMPARE(m_project->analyses().current(m_trial.id)->size(), before);
@@ -103,7 +115,8 @@ private:
     {
         const auto views = registeredViews(*m_project, m_trial).value();
         for (const RegisteredView &view : views) {
-            const auto series = m_project->trials().currentObservations(view.recording.id, m_coloured.id).value();
+            const auto series =
+                m_project->trials().currentObservations(view.recording.id, m_coloured.id).value();
             if (series && frame < series->observations.size() && series->observations[frame].found)
                 return {view, series->observations[frame]};
         }

@@ -3,8 +3,8 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/simulation/demo_testbed.h"
-#include "core/workflow/record_trial.h"
-#include "core/workflow/stored_registration.h"
+#include "core/workflow/calibrate/cameras.h"
+#include "core/workflow/record/record_trial.h"
 #include "tests/support/datagram_receiver.h"
 #include "tests/support/protobuf_decoder.h"
 #include "tests/support/registered_test.h"
@@ -47,8 +47,12 @@ private Q_SLOTS:
     {
         const std::filesystem::path file = m_project->file();
         QStringList told;
-        const RecordSettings settings{.trial = "run", .cameras = {{"A", "sim:A"}}, .seconds = 1, .robots = {},
-                                      .warn = [&](const std::string &words) { told << QString::fromStdString(words); }};
+        const RecordSettings settings{
+            .trial = "run",
+            .cameras = {{"A", "sim:A"}},
+            .seconds = 1,
+            .robots = {},
+            .warn = [&](const std::string &words) { told << QString::fromStdString(words); }};
         JobControl control;
         control.progress = [&](double, const std::string &text) {
             if (text == "recording")
@@ -56,9 +60,14 @@ private Q_SLOTS:
         };
         const auto recorded = recordTrial(*m_project, settings, control);
         QVERIFY2(recorded, recorded ? "" : recorded.error().message().c_str());
-        QCOMPARE(told, QStringList(QStringLiteral("the project's file was deleted, renamed or replaced; recording goes on, and what is in it is rescued at the end")));
+        QCOMPARE(told,
+                 QStringList(QStringLiteral("the project's file was deleted, renamed or replaced; recording "
+                                            "goes on, and what is in it is rescued at the end")));
         const std::filesystem::path rescued = file.parent_path() / "p (rescued).odo";
-        QCOMPARE((*recorded)->warnings().back(), "the project's file was deleted, renamed or replaced meanwhile; what was in it is rescued in '" + rescued.string() + "', which is the project from now on");
+        QCOMPARE(
+            (*recorded)->warnings().back(),
+            "the project's file was deleted, renamed or replaced meanwhile; what was in it is rescued in '" +
+                rescued.string() + "', which is the project from now on");
         const auto project = Project::open(rescued, Project::Access::ReadOnly);
         QVERIFY(project);
         const auto trial = (*project)->trials().find("run");
@@ -76,8 +85,11 @@ private Q_SLOTS:
             record.layout = layout;
             record.assumedIntrinsics = camera.view.camera().intrinsics();
             for (const Marker &marker : testbed.floor.markers.markers)
-                record.pixels.push_back({marker.label, *camera.view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0})});
-            record.registration = *registerFloor(testbed.floor.markers, record.pixels, camera.view.camera(), true);
+                record.pixels.push_back(
+                    {marker.label,
+                     *camera.view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0})});
+            record.registration =
+                *registerFloor(testbed.floor.markers, record.pixels, camera.view.camera(), true);
             QVERIFY(storeRegistration(*m_project, camera.name, record));
         }
         for (const DemoTrial &trial : demoTrials()) {
@@ -91,7 +103,8 @@ private Q_SLOTS:
             QVERIFY(m_project->robots().add(robot));
         }
         const DatagramReceiver receiver(true);
-        RecordSettings settings{.trial = "run", .cameras = {{"A", "sim:A"}, {"B", "sim:B"}}, .seconds = 2, .robots = {"driver"}};
+        RecordSettings settings{
+            .trial = "run", .cameras = {{"A", "sim:A"}, {"B", "sim:B"}}, .seconds = 2, .robots = {"driver"}};
         settings.broadcast = BroadcastTarget{.port = receiver.port};
         const auto recorded = recordTrial(*m_project, settings, {});
         QVERIFY2(recorded, recorded ? "" : recorded.error().message().c_str());
@@ -100,7 +113,8 @@ private Q_SLOTS:
         const auto frame = decodeMessage(packet->first(1)->bytes);
         QVERIFY(frame && frame->fields.count(6) + frame->fields.count(7) == 1);
         const auto robot = decodeMessage((frame->first(6) ? frame->first(6) : frame->first(7))->bytes);
-        const Eigen::Vector2d fromMiddle(robot->first(3)->shortReal() - 1500.0, robot->first(4)->shortReal() - 1100.0);
+        const Eigen::Vector2d fromMiddle(robot->first(3)->shortReal() - 1500.0,
+                                         robot->first(4)->shortReal() - 1100.0);
         // Some millimetres of the centre, some of a filter that has just begun.
         QVERIFY2(std::abs(fromMiddle.norm() - 750) < 40, qPrintable(QString::number(fromMiddle.norm())));
     }
@@ -110,8 +124,10 @@ private Q_SLOTS:
         settings.broadcast = BroadcastTarget();
         const auto recorded = recordTrial(*m_project, settings, {});
         QVERIFY(!recorded);
-        QCOMPARE(recorded.error().message(), std::string("recording of trial 'run': none of its cameras is registered to the floor, so there are no live positions "
-                                                         "to send; run odograph register for one of them, or leave --ssl-vision out"));
+        QCOMPARE(recorded.error().message(),
+                 std::string("recording of trial 'run': none of its cameras is registered to the floor, so "
+                             "there are no live positions "
+                             "to send; run odograph register for one of them, or leave --ssl-vision out"));
         QVERIFY(m_project->trials().all()->empty());
     }
 

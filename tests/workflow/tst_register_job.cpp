@@ -5,8 +5,8 @@
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
-#include "core/workflow/register_job.h"
-#include "core/workflow/revisions.h"
+#include "core/workflow/calibrate/register_job.h"
+#include "core/workflow/calibrate/revisions.h"
 #include "tests/support/registered_test.h"
 
 #include <QFile>
@@ -23,7 +23,10 @@ class TestRegisterJob : public QObject
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<Project> m_project;
 
-    std::filesystem::path path(const char *name) const { return m_folder->filePath(QString::fromLatin1(name)).toStdString(); }
+    std::filesystem::path path(const char *name) const
+    {
+        return m_folder->filePath(QString::fromLatin1(name)).toStdString();
+    }
 
     RegisterSettings byPicture() const
     {
@@ -38,8 +41,8 @@ class TestRegisterJob : public QObject
     {
         std::vector<MarkerPixel> pixels;
         for (const Marker &marker : m_scene.floor.markers.markers)
-            pixels.push_back({marker.label,
-                              *m_scene.cameras[0].view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0})});
+            pixels.push_back({marker.label, *m_scene.cameras[0].view.pixelFromWorld(
+                                                {marker.pointInWorld.x(), marker.pointInWorld.y(), 0})});
         return pixels;
     }
 
@@ -69,7 +72,8 @@ private Q_SLOTS:
         QCOMPARE(picture.path, std::string("run.media/calibration/A-1_floor.png"));
         QVERIFY(m_project->check(true)->empty());
         const auto revisions = revisionsOf(*m_project, "A/1");
-        QCOMPARE(revisions->front().picture, std::filesystem::absolute(path("run.media/calibration/A-1_floor.png")));
+        QCOMPARE(revisions->front().picture,
+                 std::filesystem::absolute(path("run.media/calibration/A-1_floor.png")));
         QCOMPARE(revisions->front().markers.size(), std::size_t(4));
         // The markers are found in it again, where they were.
         RegisterSettings again = byPicture();
@@ -87,13 +91,16 @@ private Q_SLOTS:
         const std::filesystem::path kept = path("run.media/calibration/A-1_floor.png");
         const auto bytes = std::filesystem::file_size(kept);
         QFile file(QString::fromStdString(kept.string()));
-        QVERIFY(file.open(QIODevice::ReadWrite) && file.seek(qint64(bytes) / 2) && file.write("changed") == 7);
+        QVERIFY(file.open(QIODevice::ReadWrite) && file.seek(qint64(bytes) / 2) &&
+                file.write("changed") == 7);
         file.close();
-        QCOMPARE(m_project->check(true)->front().what, std::string("the picture of registration 1 of camera 'A/1' was changed since it was made"));
+        QCOMPARE(m_project->check(true)->front().what,
+                 std::string("the picture of registration 1 of camera 'A/1' was changed since it was made"));
         std::filesystem::remove(kept);
         const ProjectProblem problem = m_project->check(false)->front();
         QCOMPARE(problem.what, std::string("the picture of registration 1 of camera 'A/1' is missing"));
-        QCOMPARE(problem.advice, std::string("put the file back in its place; the registration is kept without it"));
+        QCOMPARE(problem.advice,
+                 std::string("put the file back in its place; the registration is kept without it"));
     }
 
     void whatFailsLeavesNothing()

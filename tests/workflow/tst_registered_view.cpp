@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/workflow/registered_view.h"
+#include "core/workflow/trial_sources.h"
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/track_job.h"
+#include "core/workflow/track/track_job.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 
@@ -44,8 +44,10 @@ private Q_SLOTS:
         TrackJob job("larger", {});
         const auto tracked = runToEnd(job, *m_project, {});
         QVERIFY(!tracked);
-        QCOMPARE(tracked.error().message(), std::string("view 'A' of trial 'larger': its pictures are 640×360 but the camera was calibrated at "
-                                                        "320×180; calibrate and register the camera at the size it records"));
+        QCOMPARE(tracked.error().message(),
+                 std::string(
+                     "view 'A' of trial 'larger': its pictures are 640×360 but the camera was calibrated at "
+                     "320×180; calibrate and register the camera at the size it records"));
     }
 
 private:

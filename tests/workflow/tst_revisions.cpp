@@ -2,11 +2,10 @@
 // Revisions of a camera, trials that point to them, and what measuring again with others changes.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/calibration_warnings.h"
-#include "core/workflow/moved_job.h"
-#include "core/workflow/register_job.h"
-#include "core/workflow/reprocess_job.h"
-#include "core/workflow/revisions.h"
+#include "core/workflow/calibrate/moved_job.h"
+#include "core/workflow/calibrate/register_job.h"
+#include "core/workflow/calibrate/revisions.h"
+#include "core/workflow/track/reanalysis.h"
 #include "tests/support/contains.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
@@ -89,8 +88,9 @@ private Q_SLOTS:
         QVERIFY(chooseRevision(*m_project, "A", Revision::Kind::Registration, first));
         QCOMPARE(current("A"), first);
         QVERIFY2(current("B") != first, "the other camera keeps its own");
-        QVERIFY(contains(chooseRevision(*m_project, "B", Revision::Kind::Registration, first).error().message(),
-                         "camera 'B' has none of that number"));
+        QVERIFY(
+            contains(chooseRevision(*m_project, "B", Revision::Kind::Registration, first).error().message(),
+                     "camera 'B' has none of that number"));
         registerMoved(0.02);
         QVERIFY(current("A") > second);
     }
@@ -105,7 +105,9 @@ private Q_SLOTS:
         QVERIFY(m_project->cameras().currentIntrinsics(camera).value()->id != first);
         const auto cameraRecord = *m_project->cameras().get(camera);
         const std::vector<std::string> warnings = *calibrationWarnings(*m_project, cameraRecord, record.made);
-        QVERIFY(std::ranges::any_of(warnings, [](const std::string &each) { return each.find("another calibration of its lens") != std::string::npos; }));
+        QVERIFY(std::ranges::any_of(warnings, [](const std::string &each) {
+            return each.find("another calibration of its lens") != std::string::npos;
+        }));
         QVERIFY(chooseRevision(*m_project, "A", Revision::Kind::Calibration, first));
         QCOMPARE(m_project->cameras().currentIntrinsics(camera).value()->id, first);
         QVERIFY(calibrationWarnings(*m_project, cameraRecord, record.made)->size() < warnings.size());
@@ -113,23 +115,28 @@ private Q_SLOTS:
 
     void aNewerLensIsTakenWithTheSameMarkers()
     {
-        QVERIFY(contains(registerWithLensInForce(*m_project, "A").error().message(), "it was made with it already"));
+        QVERIFY(contains(registerWithLensInForce(*m_project, "A").error().message(),
+                         "it was made with it already"));
         const RecordId camera = m_project->cameras().find("A")->id, before = current("A");
         const RegistrationRecord old = *m_project->cameras().registration(before);
         IntrinsicsRecord lens = *m_project->cameras().currentIntrinsics(camera).value();
         lens.calibration.intrinsics.fxPx *= 1.01; // a camera of a longer lens stands farther away
         lens.calibration.intrinsics.fyPx *= 1.01;
         const auto newer = m_project->cameras().addIntrinsics(lens);
-        QVERIFY(m_project->cameras().addCheck(before, {lens.made, RegistrationCheck::Outcome::CameraMoved, 6, 0.014, "moved"}));
+        QVERIFY(m_project->cameras().addCheck(
+            before, {lens.made, RegistrationCheck::Outcome::CameraMoved, 6, 0.014, "moved"}));
         const auto registered = registerWithLensInForce(*m_project, "A");
         QVERIFY2(registered.has_value(), registered ? "" : registered.error().message().c_str());
         QCOMPARE(current("A"), registered->id);
         QCOMPARE(registered->intrinsics, newer->id);
         QCOMPARE(registered->layout, old.layout);
-        QVERIFY2(registered->lastCheck && registered->lastCheck->outcome == RegistrationCheck::Outcome::CameraMoved,
+        QVERIFY2(registered->lastCheck &&
+                     registered->lastCheck->outcome == RegistrationCheck::Outcome::CameraMoved,
                  "old markers do not tell that the camera stands again where it stood");
         QCOMPARE(registered->pixels.size(), old.pixels.size());
-        const auto heightOf = [](const RegistrationRecord &record) { return record.registration.worldFromCamera.translation.z(); };
+        const auto heightOf = [](const RegistrationRecord &record) {
+            return record.registration.worldFromCamera.translation.z();
+        };
         QVERIFY2(heightOf(*registered) > heightOf(old), qPrintable(QString::number(heightOf(*registered))));
         QCOMPARE(*outdatedTrials(*m_project), (std::vector<std::string>{"Trial 1", "Trial 2"}));
         QVERIFY(!registerWithLensInForce(*m_project, "Q"));
@@ -161,8 +168,8 @@ private Q_SLOTS:
         QCOMPARE(job.robots().size(), std::size_t(1));
         const ProfileChange &change = job.robots().front().change;
         QVERIFY(change.compared > 10);
-        // The same world, moved: every place by as much, and lengths and speeds by nothing. What is left are rounding and,
-        // where the smoother weighs by σ, its last digits.
+        // The same world, moved: every place by as much, and lengths and speeds by nothing. What is left are
+        // rounding and, where the smoother weighs by σ, its last digits.
         QVERIFY2(std::abs(change.largestShiftM - 0.01) < 1e-5, change.words.c_str());
         QVERIFY2(std::abs(change.rmsShiftM - 0.01) < 1e-5, change.words.c_str());
         for (const MetricChange &metric : change.metrics)
@@ -177,7 +184,8 @@ private Q_SLOTS:
     void aTrialThatWasNeverTrackedHasItsSentence()
     {
         ReprocessJob job("Trial 3");
-        QVERIFY(contains(runToEnd(job, *m_project, {}).error().message(), "it has not been tracked yet, so there is nothing to analyse again"));
+        QVERIFY(contains(runToEnd(job, *m_project, {}).error().message(),
+                         "it has not been tracked yet, so there is nothing to analyse again"));
         ReprocessJob none("Trial 9");
         QCOMPARE(runToEnd(none, *m_project, {}).error().code, ErrorCode::NotFound);
         const JobControl control;
@@ -216,13 +224,16 @@ private Q_SLOTS:
     void checksAreKeptWithTheRegistrationTheyWereMadeOf()
     {
         const RecordId registration = current("A");
-        QVERIFY(m_project->cameras().addCheck(registration, {Instant(std::chrono::milliseconds(5)), RegistrationCheck::Outcome::Still, 0.2, 0.001, "still"}));
+        QVERIFY(m_project->cameras().addCheck(
+            registration,
+            {Instant(std::chrono::milliseconds(5)), RegistrationCheck::Outcome::Still, 0.2, 0.001, "still"}));
         QVERIFY(keepNotTold(*m_project, "A", {ErrorCode::Undetermined, "whether", "none was found", "look"}));
         const auto last = m_project->cameras().registration(registration)->lastCheck;
         QVERIFY(last && last->outcome == RegistrationCheck::Outcome::NotTold); // the newest
         QVERIFY(contains(last->words, "none was found"));
         registerMoved(0.01);
-        QVERIFY2(!m_project->cameras().registration(current("A"))->lastCheck, "a new registration was not checked");
+        QVERIFY2(!m_project->cameras().registration(current("A"))->lastCheck,
+                 "a new registration was not checked");
         QVERIFY(!m_project->cameras().addCheck(999, {}).has_value());
     }
 };

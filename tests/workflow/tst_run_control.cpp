@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/workflow/run_control.h"
+#include "core/workflow/record/run_control.h"
 
 #include "tests/support/registered_test.h"
 

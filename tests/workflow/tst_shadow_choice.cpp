@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/demo_testbed.h"
-#include "core/simulation/wheeled_body.h"
-#include "core/workflow/shadow_choice.h"
+#include "core/workflow/track/shadow_choice.h"
 #include "tests/support/registered_test.h"
 #include "tests/workflow/measured_scene.h"
 
@@ -21,7 +20,9 @@ SimulatedScene plainFloor(RgbColour chassis, double lamp)
     scene.floor.textureAmplitude = 0.01;
     scene.lamps = {Lamp{{0.4, 0.2, 2.4}, 0.12, lamp}};
     std::vector<RobotPart> parts{{SimulatedShape::Box, chassis, {0, 0, 0.05}, {0.22, 0.14, 0.05}}};
-    scene.robots = {robotOfParts("robot", onFourWheels(std::move(parts), {28, 28, 30}, 0.07, 0.085, 0.03, 0.028), makeCircleMotion({1.5, 1.1}, 0.7, 0.7, 0.6))};
+    scene.robots = {robotOfParts("robot",
+                                 onFourWheels(std::move(parts), {28, 28, 30}, 0.07, 0.085, 0.03, 0.028),
+                                 makeCircleMotion({1.5, 1.1}, 0.7, 0.7, 0.6))};
     return scene;
 }
 
@@ -49,7 +50,8 @@ private Q_SLOTS:
         const auto figures = measuredScene(plainFloor({238, 238, 235}, 0.68));
         QVERIFY2(figures.has_value(), figures ? "" : figures.error().message().c_str());
         // With the shadow as a part of it 13 mm, and the truth inside in a fifth of the frames.
-        QVERIFY2(figures->foundShare > 0.99 && figures->rmsM < 0.003 && figures->insideShare > 0.9, qPrintable(figures->words()));
+        QVERIFY2(figures->foundShare > 0.99 && figures->rmsM < 0.003 && figures->insideShare > 0.9,
+                 qPrintable(figures->words()));
     }
 
     /// A dark robot on the same floor looks like such a shadow in each frame.

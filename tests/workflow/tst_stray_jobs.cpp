@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/claimed_file.h"
 #include "core/project/project.h"
+#include "core/project/project_media.h"
 #include "core/project/repositories.h"
-#include "core/project/stray_media.h"
-#include "core/workflow/calibration_media.h"
-#include "core/workflow/stray_jobs.h"
+#include "core/workflow/calibrate/calibration_pictures.h"
+#include "core/workflow/media_repair.h"
 #include "tests/support/registered_test.h"
 #include "tests/video/coded_frames.h"
 
@@ -45,7 +45,8 @@ private Q_SLOTS:
         std::ofstream(path("p.media/recording.lock"));
         const auto problems = m_project->check(false).value();
         QCOMPARE(problems.size(), std::size_t(1));
-        QCOMPARE(problems[0].what, std::string("no trial, lens calibration or floor registration uses this file"));
+        QCOMPARE(problems[0].what,
+                 std::string("no trial, lens calibration or floor registration uses this file"));
         QCOMPARE(problems[0].where, path("p.media/calibration/A_floor.png").string());
         QVERIFY(problems[0].advice.find("--adopt") != std::string::npos);
     }
@@ -62,7 +63,9 @@ private Q_SLOTS:
         std::filesystem::resize_file(path("copy.odo"), 8192);
         const auto unknown = strays(); // nobody can tell
         QVERIFY(!unknown);
-        QVERIFY2(unknown.error().why.starts_with("project 'copy.odo' beside it may use them, and cannot be read"), unknown.error().why.c_str());
+        QVERIFY2(
+            unknown.error().why.starts_with("project 'copy.odo' beside it may use them, and cannot be read"),
+            unknown.error().why.c_str());
         std::ofstream(path("copy.odo"), std::ios::binary | std::ios::trunc) << "no project";
         QCOMPARE(strays()->size(), std::size_t(1));
     }
@@ -87,7 +90,10 @@ private Q_SLOTS:
         QVERIFY(find()->strays().empty());
         QCOMPARE(find()->others(), std::vector<std::filesystem::path>{path("p.media/old/elsewhere.mkv")});
         const auto problems = m_project->check(false).value();
-        QVERIFY(std::ranges::any_of(problems, [](const ProjectProblem &problem) { return problem.what == "this is a missing recording" && problem.advice.find("--find") != std::string::npos; }));
+        QVERIFY(std::ranges::any_of(problems, [](const ProjectProblem &problem) {
+            return problem.what == "this is a missing recording" &&
+                   problem.advice.find("--find") != std::string::npos;
+        }));
     }
 
     /// On a disk that is not there.
@@ -133,7 +139,8 @@ private Q_SLOTS:
         copyHere("sub/lap_A.mkv");
         AdoptStraysJob adopt(find()->videos());
         QVERIFY(runToEnd(adopt, *m_project, {}));
-        QCOMPARE(m_project->trials().recordings(m_project->trials().find("recovered: lap")->id)->front().path, std::string("p.media/sub/lap_A.mkv"));
+        QCOMPARE(m_project->trials().recordings(m_project->trials().find("recovered: lap")->id)->front().path,
+                 std::string("p.media/sub/lap_A.mkv"));
         QVERIFY(find()->videos().empty());
     }
 
@@ -143,7 +150,8 @@ private Q_SLOTS:
         import("run", "A");
         for (const char *name : {"lap_A.mkv", "lap_B.mkv", "turn_left_1.mkv", "single.mkv"})
             copyHere(name);
-        std::ofstream(path("p.media/.new-abcdef.part"), std::ios::binary) << std::ifstream(video(), std::ios::binary).rdbuf();
+        std::ofstream(path("p.media/.new-abcdef.part"), std::ios::binary)
+            << std::ifstream(video(), std::ios::binary).rdbuf();
         std::ofstream(path("p.media/notes.txt")) << "no video";
         std::filesystem::create_symlink(video(), path("p.media/link.mkv"));
         const auto found = find();
@@ -154,12 +162,18 @@ private Q_SLOTS:
         const auto done = runToEnd(adopt, *m_project, {});
         QVERIFY2(done, done ? "" : done.error().message().c_str());
         QVERIFY(adopt.failures().empty());
-        QCOMPARE(adopt.trials(), (std::vector<std::string>{"recovered: lap", "recovered: single", "recovered: turn"}));
-        const auto views = m_project->trials().recordings(m_project->trials().find("recovered: lap")->id).value();
+        QCOMPARE(adopt.trials(),
+                 (std::vector<std::string>{"recovered: lap", "recovered: single", "recovered: turn"}));
+        const auto views =
+            m_project->trials().recordings(m_project->trials().find("recovered: lap")->id).value();
         QCOMPARE(views.size(), std::size_t(2));
         QCOMPARE(views[0].path, std::string("p.media/lap_A.mkv")); // where it was
         QCOMPARE(views[1].cameraName, std::string("B"));
-        QCOMPARE(m_project->trials().recordings(m_project->trials().find("recovered: turn")->id)->front().cameraName, std::string("left_1"));
+        QCOMPARE(m_project->trials()
+                     .recordings(m_project->trials().find("recovered: turn")->id)
+                     ->front()
+                     .cameraName,
+                 std::string("left_1"));
         QCOMPARE(find()->strays().size(), std::size_t(2));
         // A name that is taken gets a number.
         copyHere("lap_C.mkv");
@@ -182,7 +196,8 @@ private Q_SLOTS:
         RemoveStraysJob remove(found->strays());
         const auto done = runToEnd(remove, *m_project, {});
         QVERIFY2(done, done ? "" : done.error().message().c_str());
-        QCOMPARE(remove.removed(), (std::vector<std::filesystem::path>{path("p.media/lap_A.mkv"), path("p.media/link.mkv")}));
+        QCOMPARE(remove.removed(),
+                 (std::vector<std::filesystem::path>{path("p.media/lap_A.mkv"), path("p.media/link.mkv")}));
         for (const char *name : {"run_A.mkv", "used.mkv", "written.mkv"})
             QVERIFY2(std::filesystem::exists(path("p.media") / name), name);
         QVERIFY(std::filesystem::exists(video()));
@@ -192,7 +207,8 @@ private Q_SLOTS:
     void whatIsBeingWrittenIsNotNamed()
     {
         std::filesystem::create_directories(path("p.media"));
-        const auto claimed = ClaimedFile::create(path("p.media"), "run_A", ".mkv"), begun = ClaimedFile::begin(path("p.media"));
+        const auto claimed = ClaimedFile::create(path("p.media"), "run_A", ".mkv"),
+                   begun = ClaimedFile::begin(path("p.media"));
         QVERIFY(claimed && begun);
         QVERIFY(strays()->empty());
         QVERIFY(!removeStray(*m_project, claimed->path()).value());
@@ -213,7 +229,10 @@ private Q_SLOTS:
     }
 
 private:
-    std::filesystem::path path(const std::string &name) const { return std::filesystem::path(m_folder->path().toStdString()) / name; }
+    std::filesystem::path path(const std::string &name) const
+    {
+        return std::filesystem::path(m_folder->path().toStdString()) / name;
+    }
     std::filesystem::path video() const { return m_videos->filePath(QStringLiteral("v.mkv")).toStdString(); }
     void copyHere(const char *name) const { std::filesystem::copy_file(video(), path("p.media") / name); }
     void import(const std::string &trial, const std::string &camera)
@@ -225,7 +244,10 @@ private:
         const auto done = runToEnd(job, *m_project, {});
         QVERIFY2(done, done ? "" : done.error().message().c_str());
     }
-    Result<std::vector<std::filesystem::path>> strays() { return strayMedia(*m_project).map(&StrayMedia::files); }
+    Result<std::vector<std::filesystem::path>> strays()
+    {
+        return strayMedia(*m_project).map(&StrayMedia::files);
+    }
     std::unique_ptr<FindStraysJob> find()
     {
         auto job = std::make_unique<FindStraysJob>();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
-#include "core/workflow/track_warnings.h"
+#include "core/workflow/track/track_warnings.h"
 #include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
@@ -65,7 +65,8 @@ private Q_SLOTS:
         QCOMPARE(said->error.message(),
                  "robot 'r' in trial 't': its colour #b09470 is also that of the floor (" +
                      std::to_string(std::lround(100 * share)) +
-                     " % of view A's picture); put a plate of another colour on it, or tell the colour it really has");
+                     " % of view A's picture); put a plate of another colour on it, or tell the colour it "
+                     "really has");
     }
 
     void howViewsAreInStep_data()
@@ -116,16 +117,30 @@ private Q_SLOTS:
         using namespace std::chrono_literals;
         QTest::addColumn<Doubts>("doubts");
         QTest::addColumn<QString>("said");
-        const QString subject = QStringLiteral("robot 'Blue 1' in trial 't': "), advice = QStringLiteral("; give each a colour of its own");
+        const QString subject = QStringLiteral("robot 'Blue 1' in trial 't': "),
+                      advice = QStringLiteral("; give each a colour of its own");
         QTest::newRow("none") << Doubts{} << QString();
-        QTest::newRow("one") << Doubts{{3204ms, 3898ms, {2}, {"Blue 2"}}}
-                             << subject + QStringLiteral("from 3.20 s to 3.90 s it is doubtful whether this is Blue 1 or Blue 2") + advice;
-        QTest::newRow("three robots") << Doubts{{1s, 2s, {2, 3}, {"Blue 2", "Blue 3"}}}
-                                      << subject + QStringLiteral("from 1.00 s to 2.00 s it is doubtful whether this is Blue 1, Blue 2 or Blue 3") + advice;
+        QTest::newRow("one")
+            << Doubts{{3204ms, 3898ms, {2}, {"Blue 2"}}}
+            << subject +
+                   QStringLiteral("from 3.20 s to 3.90 s it is doubtful whether this is Blue 1 or Blue 2") +
+                   advice;
+        QTest::newRow("three robots")
+            << Doubts{{1s, 2s, {2, 3}, {"Blue 2", "Blue 3"}}}
+            << subject +
+                   QStringLiteral(
+                       "from 1.00 s to 2.00 s it is doubtful whether this is Blue 1, Blue 2 or Blue 3") +
+                   advice;
         QTest::newRow("not known who") << Doubts{{1s, 2s, {}, {}}}
-                                       << subject + QStringLiteral("from 1.00 s to 2.00 s it is doubtful whether this is Blue 1 or another robot of its look") + advice;
+                                       << subject +
+                                              QStringLiteral("from 1.00 s to 2.00 s it is doubtful whether "
+                                                             "this is Blue 1 or another robot of its look") +
+                                              advice;
         QTest::newRow("twice") << Doubts{{1s, 2s, {3}, {"Blue 3"}}, {5s, 6s, {2}, {"Blue 2"}}}
-                               << subject + QStringLiteral("from 1.00 s to 2.00 s (the first of 2 times) it is doubtful whether this is Blue 1, Blue 2 or Blue 3") + advice;
+                               << subject +
+                                      QStringLiteral("from 1.00 s to 2.00 s (the first of 2 times) it is "
+                                                     "doubtful whether this is Blue 1, Blue 2 or Blue 3") +
+                                      advice;
     }
     void whoItMayBeIsSaid()
     {
@@ -148,15 +163,19 @@ private Q_SLOTS:
         analysis.profile.samples.resize(120);
         for (int i = 0; i < 100; ++i) { // one view alone saw the last twenty
             analysis.profile.samples[std::size_t(i)].viewDisagreementM = i < 11 ? 1.7 : 0.003;
-            analysis.profile.samples[std::size_t(i)].flags = i < 10 ? flagBit(SampleFlag::ViewsDisagree) : 0; // more than their σ allow
+            // more than their σ allow
+            analysis.profile.samples[std::size_t(i)].flags = i < 10 ? flagBit(SampleFlag::ViewsDisagree) : 0;
         }
         QVERIFY(analysisWarnings(analysis, "t").empty());
         analysis.profile.samples[10].flags = flagBit(SampleFlag::ViewsDisagree);
         const auto sentences = analysisWarnings(analysis, "t");
         QCOMPARE(sentences.size(), std::size_t(1));
-        QCOMPARE(QString::fromStdString(sentences.front()),
-                 QStringLiteral("robot 'Blue 1' in trial 't': in 11 of 100 pictures the views have it at places far apart: one of them follows something else, or is not where it was "
-                                "registered; look at the outlines, and tell the robot's colour or keep others out of the pictures"));
+        QCOMPARE(
+            QString::fromStdString(sentences.front()),
+            QStringLiteral("robot 'Blue 1' in trial 't': in 11 of 100 pictures the views have it at places "
+                           "far apart: one of them follows something else, or is not where it was "
+                           "registered; look at the outlines, and tell the robot's colour or keep others out "
+                           "of the pictures"));
     }
 
     void viewsThatContradictOneAnotherAreSaid()
@@ -172,8 +191,10 @@ private Q_SLOTS:
         const auto sentences = analysisWarnings(analysis, "t");
         QCOMPARE(sentences.size(), std::size_t(1));
         QCOMPARE(QString::fromStdString(sentences.front()),
-                 QStringLiteral("robot 'Blue 1' in trial 't': in 50 of 100 pictures the views contradict one another: they put it 20.5 mm apart; a camera was moved after it was "
-                                "registered, the views are out of step, or the robot's height is not what was told; register the cameras again"));
+                 QStringLiteral("robot 'Blue 1' in trial 't': in 50 of 100 pictures the views contradict one "
+                                "another: they put it 20.5 mm apart; a camera was moved after it was "
+                                "registered, the views are out of step, or the robot's height is not what "
+                                "was told; register the cameras again"));
     }
 
     void hardlyEverFoundIsAnError()

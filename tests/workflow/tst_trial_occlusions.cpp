@@ -2,7 +2,7 @@
 // What hid a robot follows from what a project stores.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/trial_occlusions.h"
+#include "core/workflow/track/trial_occlusions.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "tests/ui/support/stored_example.h"
@@ -24,7 +24,8 @@ class TestTrialOcclusions : public QObject
         const TrialRecord trial = project.trials().find("Trial 1").value();
         AnalysisRecord analysis = project.analyses().current(trial.id)->front();
         const RecordingRecord recording = project.trials().recordings(trial.id)->at(1);
-        ObservationSeries series = project.trials().currentObservations(recording.id, analysis.robot)->value();
+        ObservationSeries series =
+            project.trials().currentObservations(recording.id, analysis.robot)->value();
         for (std::size_t frame = 10; frame <= 20; ++frame) {
             series.observations[frame].found = false;
             analysis.profile.samples[frame].views = 1;
@@ -38,12 +39,15 @@ private Q_SLOTS:
     {
         const auto project = openStoredExample(m_folder.path().toStdString());
         const RecordId trial = project->trials().find("Trial 1").value().id;
-        const auto found = [&] { return trialOcclusions(*project, trial, project->analyses().current(trial).value()).value(); };
+        const auto found = [&] {
+            return trialOcclusions(*project, trial, project->analyses().current(trial).value()).value();
+        };
         QCOMPARE(found().size(), std::size_t(1));
         QCOMPARE(found().front().size(), std::size_t(0));
         hideIt(*project);
         QCOMPARE(found().front().size(), std::size_t(1));
-        QCOMPARE(occlusionSentence(found().front().front()), std::string("not visible in view B (0.33 s to 0.67 s)"));
+        QCOMPARE(occlusionSentence(found().front().front()),
+                 std::string("not visible in view B (0.33 s to 0.67 s)"));
 
         const auto scene = loadTrialScene(*project, "Trial 1");
         QVERIFY(scene.has_value());
@@ -77,15 +81,19 @@ private Q_SLOTS:
                 red.profile.samples[i].views = 1;
             }
             red.profile.samples[frame].flags = flags;
-            red.profile.spikes = {{std::int64_t(frame), red.profile.samples[frame].time, flags, "the tracker was not sure (score 10 %)"}};
-            const StoredRobot other{blue, {tracked[0].series[1].observations, tracked[1].series[1].observations}};
-            const auto all = isBlueTracked ? trackedOcclusions(views, tracked, {&red, &blue}) : trackedOcclusions(views, tracked, {&red}, {other});
+            red.profile.spikes = {{std::int64_t(frame), red.profile.samples[frame].time, flags,
+                                   "the tracker was not sure (score 10 %)"}};
+            const StoredRobot other{blue,
+                                    {tracked[0].series[1].observations, tracked[1].series[1].observations}};
+            const auto all = isBlueTracked ? trackedOcclusions(views, tracked, {&red, &blue})
+                                           : trackedOcclusions(views, tracked, {&red}, {other});
             removeSpikesOfPassing(all.front(), red.profile.spikes);
             return red.profile.spikes.size();
         };
         QCOMPARE(left(flagBit(SampleFlag::LowScore), 0.05), std::size_t(0));
         QCOMPARE(left(flagBit(SampleFlag::LowScore), 0.05, false), std::size_t(0));
-        QCOMPARE(left(flagBit(SampleFlag::LowScore) | flagBit(SampleFlag::Interpolated), 0.05), std::size_t(0));
+        QCOMPARE(left(flagBit(SampleFlag::LowScore) | flagBit(SampleFlag::Interpolated), 0.05),
+                 std::size_t(0));
         QCOMPARE(left(flagBit(SampleFlag::LowScore), 1.5), std::size_t(1)); // too far away to be the cause
         QCOMPARE(left(flagBit(SampleFlag::LowScore) | flagBit(SampleFlag::Jump), 0.05), std::size_t(1));
     }
@@ -95,7 +103,8 @@ private Q_SLOTS:
         const auto project = openStoredExample(m_folder.filePath(QStringLiteral("two")).toStdString());
         const TrialRecord trial = project->trials().find("Trial 2").value();
         const auto views = registeredViews(*project, trial).value();
-        const RobotRecord red = project->robots().find("Red 2").value(), blue = project->robots().find("Blue 1").value();
+        const RobotRecord red = project->robots().find("Red 2").value(),
+                          blue = project->robots().find("Blue 1").value();
         const auto others = otherRobots(*project, trial.id, views, {red}).value();
         QCOMPARE(others.size(), std::size_t(1));
         QCOMPARE(others.front().analysis.robotName, std::string("Blue 1"));

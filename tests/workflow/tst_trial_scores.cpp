@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/trial_scores.h"
+#include "core/workflow/compare/trial_figures.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
+#include "core/synchronisation/internal/flash_synchronisation.h"
 #include "core/tracking/colour_tracker.h"
-#include "core/trajectory/light_edges.h"
 #include "core/video/video_reader.h"
-#include "core/workflow/view_tracking.h"
+#include "core/workflow/track/view_tracking.h"
 #include "tests/support/registered_test.h"
 
 #include <QTemporaryDir>
@@ -80,7 +80,8 @@ void TestViewTracking::partsGiveWhatTheWholeGives()
 
 void TestViewTracking::measuresTheLight_data()
 {
-    QTest::addColumn<bool>("mjpeg"); // decoded where the robot is, so that there is no whole picture to measure
+    // decoded where the robot is, so that there is no whole picture to measure
+    QTest::addColumn<bool>("mjpeg");
     QTest::addColumn<bool>("robot");
     QTest::newRow("whole pictures") << false << true;
     QTest::newRow("parts of pictures") << true << true;

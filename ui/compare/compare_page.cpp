@@ -3,17 +3,17 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "ui/compare/compare_column.h"
 #include "ui/compare/compare_desk.h"
-#include "ui/compare/compare_map.h"
-#include "ui/compare/run_chooser.h"
+#include "ui/compare/internal/compare_column.h"
+#include "ui/compare/internal/compare_map.h"
+#include "ui/compare/internal/run_chooser.h"
+#include "ui/models/background_task.h"
 #include "ui/models/core_words.h"
-#include "ui/models/project_reader.h"
-#include "ui/models/run_choices.h"
+#include "ui/models/shown_names.h"
 #include "ui/models/timeline.h"
-#include "ui/views/empty_state.h"
-#include "ui/views/page_keys.h"
-#include "ui/views/timeline_bar.h"
+#include "ui/views/charts/timeline_bar.h"
+#include "ui/views/widgets/command_keys.h"
+#include "ui/views/widgets/empty_state.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -52,7 +52,8 @@ struct ComparePage::Reading
 };
 
 ComparePage::ComparePage(Project &project, QWidget *parent)
-    : QWidget(parent), m_reader(new ProjectReader(project.file(), this)), m_timeline(new Timeline(this)), m_chooser(new RunChooser), m_desk(new CompareDesk(*m_timeline)),
+    : QWidget(parent), m_reader(new ProjectReader(project.file(), this)), m_timeline(new Timeline(this)),
+      m_chooser(new RunChooser), m_desk(new CompareDesk(*m_timeline)),
       m_timelineBar(new TimelineBar(*m_timeline)), m_column(new CompareColumn(*m_timeline, m_chooser)),
       m_stack(new QStackedWidget)
 {
@@ -178,8 +179,7 @@ void ComparePage::take(Result<Reading> reading)
     if (!reading->scene)
         showNone(tr("These runs cannot be compared"),
                  tr("%1. What helps: %2.")
-                     .arg(shownWords(reading->scene.error().why),
-                          shownWords(reading->scene.error().advice)),
+                     .arg(shownWords(reading->scene.error().why), shownWords(reading->scene.error().advice)),
                  false);
     else if (!*reading->scene)
         showNone(tr("Two runs are needed"),
@@ -203,7 +203,8 @@ void ComparePage::adopt(ComparisonScenePtr scene)
     }
     if (m_scene) {
         const RunComparison &comparison = m_scene->compared.comparison;
-        m_originM = comparison.alignedBy == AlignBy::Distance ? std::optional(comparison.originM) : std::nullopt;
+        m_originM =
+            comparison.alignedBy == AlignBy::Distance ? std::optional(comparison.originM) : std::nullopt;
     }
     if (m_scene && !m_scene->settings.alignBy)
         m_chooser->setAlignedBy(m_scene->compared.comparison.alignedBy);

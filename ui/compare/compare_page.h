@@ -35,8 +35,8 @@ public:
     void showTrials(const QStringList &trials);
     /// As showTrials, unless a comparison was chosen already.
     void suggestTrial(const QString &trial);
-    /// Reads the project: the list of runs, and what is on screen. Call it once the signals are connected, and
-    /// after every change.
+    /// Reads the project: the list of runs, and what is on screen. Call it once the signals are connected,
+    /// and after every change.
     void refresh();
     /// What is on screen; null where nothing can be compared.
     ComparisonScenePtr scene() const { return m_scene; }
@@ -67,7 +67,7 @@ private:
     ProjectReader *m_reader;
     ComparisonScenePtr m_scene;
     std::vector<CompareSettings::Run> m_runs; ///< that are compared, or are to be
-    std::optional<double> m_originM;  ///< by distance: the way that a place is counted from
+    std::optional<double> m_originM;          ///< by distance: the way that a place is counted from
     std::vector<double> m_handTimesS;         ///< the moments that a shift by hand is counted from
     bool m_isListStale = false, m_wantsPartner = false;
     Timeline *m_timeline;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/history/changes_dialog.h"
 
-#include "ui/models/change_model.h"
-#include "ui/views/table_list.h"
+#include "ui/models/project_changes.h"
+#include "ui/views/widgets/table_list.h"
 
 #include <QDialogButtonBox>
 #include <QHeaderView>
@@ -16,9 +16,10 @@ namespace odo {
 ChangesDialog::ChangesDialog(std::vector<ChangeEntry> changes, QWidget *parent) : QDialog(parent)
 {
     setWindowTitle(tr("Changes of the project"));
-    auto *intro = new QLabel(changes.empty() ? tr("Nothing has been changed yet.")
-                                             : tr("What was changed, in this window and by the command line, the newest first. "
-                                                  "Recordings, imports and tracking are told too; they cannot be undone."));
+    auto *intro = new QLabel(
+        changes.empty() ? tr("Nothing has been changed yet.")
+                        : tr("What was changed, in this window and by the command line, the newest first. "
+                             "Recordings, imports and tracking are told too; they cannot be undone."));
     intro->setWordWrap(true);
     auto *model = new ChangeModel(std::move(changes), this);
     auto *search = new QLineEdit;

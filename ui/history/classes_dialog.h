@@ -3,7 +3,8 @@
 
 #include "core/base/error.h"
 #include "core/project/class_repository.h"
-#include "ui/models/own_changes.h"
+#include "core/project/records.h"
+#include "ui/models/project_changes.h"
 
 #include <QDialog>
 #include <functional>
@@ -12,6 +13,7 @@
 class QLabel;
 class QListWidget;
 class QMenu;
+class QPlainTextEdit;
 class QPushButton;
 class QTableWidget;
 
@@ -66,9 +68,31 @@ private:
     QListWidget *m_classList;
     QTableWidget *m_teamTable;
     QMenu *m_moveMenu;
-    QPushButton *m_newClass, *m_rename, *m_archive, *m_removeClass, *m_newTeam, *m_move, *m_editTeam, *m_removeTeam,
-        *m_roster;
+    QPushButton *m_newClass, *m_rename, *m_archive, *m_removeClass, *m_newTeam, *m_move, *m_editTeam,
+        *m_removeTeam, *m_roster;
     QLabel *m_message;
 };
+
+class CheckList;
+
+/// The people of a team, a line each, and the robots that belong to it. Stores nothing: that is up to whoever
+/// opened it.
+class TeamDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    TeamDialog(TeamRecord team, const std::vector<RobotRecord> &robots, QWidget *parent = nullptr);
+    /// The team with what was written.
+    TeamRecord team() const;
+
+private:
+    const TeamRecord m_team;
+    const std::vector<RobotRecord> m_robots;
+    QPlainTextEdit *m_members;
+    CheckList *m_list;
+};
+
+/// "Anna, Ben", or, where teams are shown by pseudonym, how many they are.
+QString shownMembers(const TeamRecord &team);
 
 } // namespace odo

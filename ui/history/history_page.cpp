@@ -4,16 +4,15 @@
 #include "core/project/class_repository.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "ui/history/mark_actions.h"
-#include "ui/history/teams_panel.h"
-#include "ui/history/trial_detail.h"
-#include "ui/history/trial_filter_bar.h"
-#include "ui/history/trial_table.h"
-#include "ui/models/shown_team.h"
+#include "ui/history/internal/mark_actions.h"
+#include "ui/history/internal/teams_panel.h"
+#include "ui/history/internal/trial_detail.h"
+#include "ui/history/internal/trial_list.h"
+#include "ui/models/shown_names.h"
 #include "ui/models/trial_model.h"
-#include "ui/views/card.h"
-#include "ui/views/command_names.h"
-#include "ui/views/theme_icon.h"
+#include "ui/views/widgets/card.h"
+#include "ui/views/widgets/command_keys.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -74,7 +73,6 @@ HistoryPage::HistoryPage(Project &project, bool readOnly, QWidget *parent)
     layout->setContentsMargins(8, 8, 8, 8);
     layout->addWidget(splitter);
 
-
     m_readTimer->setInterval(0);
     connect(m_readTimer, &QTimer::timeout, this, &HistoryPage::readMore);
     connect(m_detail, &TrialDetail::openRequested, this, &HistoryPage::trialChosen);
@@ -103,7 +101,8 @@ HistoryPage::HistoryPage(Project &project, bool readOnly, QWidget *parent)
 
 HistoryPage::~HistoryPage() = default;
 
-/// The list has the focus first. It is no focus proxy: the Tab key would go from the page to it, past the search and the filters.
+/// The list has the focus first. It is no focus proxy: the Tab key would go from the page to it, past the
+/// search and the filters.
 void HistoryPage::focusInEvent(QFocusEvent *event)
 {
     m_table->setFocus(event->reason());
@@ -141,14 +140,19 @@ void HistoryPage::addTrialActions()
 {
     auto *measureAgain = new QAction(themeIcon(QStringLiteral("track")), tr("&Measure again"), m_table);
     measureAgain->setEnabled(!m_readOnly);
-    connect(measureAgain, &QAction::triggered, this, [this] { Q_EMIT reprocessRequested(m_table->selectedTrials()); });
+    connect(measureAgain, &QAction::triggered, this,
+            [this] { Q_EMIT reprocessRequested(m_table->selectedTrials()); });
     auto *exportAll = new QAction(themeIcon(QStringLiteral("export")), tr("E&xport…"), m_table);
-    connect(exportAll, &QAction::triggered, this, [this] { Q_EMIT exportRequested(m_table->selectedTrials()); });
+    connect(exportAll, &QAction::triggered, this,
+            [this] { Q_EMIT exportRequested(m_table->selectedTrials()); });
     auto *report = new QAction(themeIcon(QStringLiteral("print")), tr("&Report…"), m_table);
     connect(report, &QAction::triggered, this, [this] { Q_EMIT reportRequested(m_table->selectedTrials()); });
     auto *videos = new QAction(tr("Export &videos…"), m_table);
     connect(videos, &QAction::triggered, this, [this] { Q_EMIT videosRequested(m_table->selectedTrials()); });
-    nameCommands({{measureAgain, "measureAgain"}, {exportAll, "exportTrials"}, {videos, "exportVideos"}, {report, "reportTrials"}});
+    nameCommands({{measureAgain, "measureAgain"},
+                  {exportAll, "exportTrials"},
+                  {videos, "exportVideos"},
+                  {report, "reportTrials"}});
     const QList<QAction *> work{measureAgain, exportAll, videos, report};
     m_table->addActions(work);
     m_listActions << m_marks->star() << m_marks->archive() << m_marks->bin() << m_marks->emptyBin() << work;
@@ -203,7 +207,8 @@ void HistoryPage::makeHeader()
     m_tableCard->addToHeader(m_compare);
     m_tableCard->addToHeader(m_search);
     m_compare->setIcon(themeIcon(QStringLiteral("compare")));
-    connect(m_compare, &QPushButton::clicked, this, [this] { Q_EMIT compareRequested(m_table->selectedTrials()); });
+    connect(m_compare, &QPushButton::clicked, this,
+            [this] { Q_EMIT compareRequested(m_table->selectedTrials()); });
     showSelection();
 }
 

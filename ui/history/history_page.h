@@ -50,8 +50,8 @@ public:
     void saveNotes();
     /// Everything that was to be read is there.
     bool isSettled() const;
-    /// That only pseudonyms of teams are shown, in every mode, where they have one: a checkable action for a menu.
-    /// Remembered.
+    /// That only pseudonyms of teams are shown, in every mode, where they have one: a checkable action for a
+    /// menu. Remembered.
     QAction *pseudonyms() const { return m_pseudonyms; }
     /// What can be done with the list and the trials that are selected in it, for a menu.
     const QList<QAction *> &listActions() const { return m_listActions; }
@@ -62,7 +62,7 @@ Q_SIGNALS:
     void exportRequested(const QStringList &trials);
     void videosRequested(const QStringList &trials); ///< annotated ones are to be made
     void reportRequested(const QStringList &trials);
-    void reprocessRequested(const QStringList &trials); ///< to be measured again
+    void reprocessRequested(const QStringList &trials);     ///< to be measured again
     void emptyBinRequested(const odo::BinContent &content); ///< confirmed
     void notesChanged(const QString &trial);
     /// Trials came into the bin or out of it; words: what to tell, or empty.

@@ -40,7 +40,8 @@ QLocale localeOf(const QString &code)
     const QLocale own = QLocale::system(), wanted(code);
     if (own.language() == wanted.language())
         return own;
-    // Not that of one country: 11/12 would be the twelfth of November in one and the eleventh of December in others.
+    // Not that of one country: 11/12 would be the twelfth of November in one and the eleventh of December in
+    // others.
     return code == english ? QLocale(QLocale::English, QLocale::World) : wanted;
 }
 
@@ -87,8 +88,10 @@ void installLanguage(QCoreApplication &application, const QString &code)
     installed = isKnown(code) ? code : languageOfComputer();
     QLocale::setDefault(localeOf(installed));
     // Qt's own words (OK, Cancel, the file dialog): of English and some others there is no file.
-    addWords(application, QStringLiteral("qtbase_") + installed, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
-    const bool isThere = addWords(application, QStringLiteral("odograph_") + installed, QStringLiteral(":/odograph/translations"));
+    addWords(application, QStringLiteral("qtbase_") + installed,
+             QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+    const bool isThere = addWords(application, QStringLiteral("odograph_") + installed,
+                                  QStringLiteral(":/odograph/translations"));
     Q_ASSERT(isThere); // compiled in
     Q_UNUSED(isThere)
 }

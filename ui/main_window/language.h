@@ -21,9 +21,10 @@ const QList<Language> &languages();
 QString chosenLanguage();
 void chooseLanguage(const QString &code);
 
-/// Shows words in a language from now on (what is on the screen stays as it is), and numbers and dates as its country has them: as
-/// this computer has them where it speaks the same language. Empty: the computer's first language that is known here, or else English.
-/// Once, before the first window; English has its plural forms from it too. GUI thread.
+/// Shows words in a language from now on (what is on the screen stays as it is), and numbers and dates as its
+/// country has them: as this computer has them where it speaks the same language. Empty: the computer's first
+/// language that is known here, or else English. Once, before the first window; English has its plural forms
+/// from it too. GUI thread.
 void installLanguage(QCoreApplication &application, const QString &code);
 /// The code of the language that words are shown in; "en" before any was installed.
 QString shownLanguage();

@@ -6,36 +6,25 @@
 #include "ui/compare/compare_desk.h"
 #include "ui/compare/compare_page.h"
 #include "ui/history/history_page.h"
-#include "ui/main_window/class_actions.h"
-#include "ui/main_window/file_actions.h"
 #include "ui/main_window/help/help_actions.h"
-#include "ui/main_window/help/help_panel.h"
-#include "ui/main_window/help/lesson_bar.h"
-#include "ui/main_window/history_actions.h"
-#include "ui/main_window/job_indicator.h"
-#include "ui/main_window/message_bar.h"
-#include "ui/main_window/mode_bar.h"
-#include "ui/main_window/page_menus.h"
+#include "ui/main_window/help/lesson.h"
+#include "ui/main_window/internal/class_actions.h"
+#include "ui/main_window/internal/file_actions.h"
+#include "ui/main_window/internal/report_actions.h"
+#include "ui/main_window/internal/trial_actions.h"
+#include "ui/main_window/internal/window_bars.h"
+#include "ui/main_window/internal/window_menus.h"
 #include "ui/main_window/preferences/command_keys.h"
-#include "ui/main_window/preferences/general_page.h"
-#include "ui/main_window/recent_projects.h"
-#include "ui/main_window/report_actions.h"
-#include "ui/main_window/status_line.h"
-#include "ui/main_window/trial_actions.h"
-#include "ui/main_window/undo_actions.h"
-#include "ui/main_window/view_actions.h"
-#include "ui/main_window/welcome_page.h"
-#include "ui/main_window/window_title.h"
+#include "ui/main_window/preferences/preferences_dialog.h"
 #include "ui/main_window/workspace.h"
-#include "ui/models/shown_team.h"
+#include "ui/models/shown_names.h"
 #include "ui/record/record_page.h"
+#include "ui/review/corrections.h"
 #include "ui/review/review_desk.h"
 #include "ui/review/review_page.h"
-#include "ui/review/robot_pointing.h"
-#include "ui/review/spike_actions.h"
 #include "ui/testbed/testbed_page.h"
-#include "ui/views/command_names.h"
-#include "ui/views/path_field.h"
+#include "ui/views/widgets/command_keys.h"
+#include "ui/views/widgets/path_field.h"
 
 #include <QCloseEvent>
 #include <QHBoxLayout>
@@ -119,7 +108,8 @@ void MainWindow::makeMenus()
     edit->addSeparator();
     m_many->fillMenu(*edit);
     edit->addSeparator();
-    QAction *preferences = edit->addAction(tr("Pr&eferences…"), this, [this] { showPreferences(PreferencesDialog::General); });
+    QAction *preferences =
+        edit->addAction(tr("Pr&eferences…"), this, [this] { showPreferences(PreferencesDialog::General); });
     preferences->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Comma));
     preferences->setMenuRole(QAction::PreferencesRole);
     nameCommands({{preferences, "preferences"}});
@@ -131,7 +121,8 @@ void MainWindow::makeMenus()
 void MainWindow::connectActions()
 {
     connect(m_modeBar, &ModeBar::chosen, this, [this](int mode) { showMode(static_cast<Mode>(mode)); });
-    connect(m_welcome, &WelcomePage::recentChosen, this, [this](const QString &file) { beginOpening(pathOf(file)); });
+    connect(m_welcome, &WelcomePage::recentChosen, this,
+            [this](const QString &file) { beginOpening(pathOf(file)); });
     connect(m_files, &FileActions::videosDropped, m_trials, &TrialActions::askImport);
     connect(m_files, &FileActions::tracksDropped, m_trials, &TrialActions::askImportTracks);
     connect(m_files, &FileActions::demoOpened, m_help, &HelpActions::beginLesson);
@@ -196,7 +187,9 @@ void MainWindow::rescueProject()
         return;
     const QString name = projectName();
     if (isWorking()) {
-        m_messages->showDone(tr("“%1” was deleted, renamed or replaced by another program. What is in it is rescued as soon as the running work has ended.").arg(name));
+        m_messages->showDone(tr("“%1” was deleted, renamed or replaced by another program. What is in it is "
+                                "rescued as soon as the running work has ended.")
+                                 .arg(name));
         return;
     }
     if (m_pages)
@@ -205,13 +198,16 @@ void MainWindow::rescueProject()
         if (const auto opened = m_workspace->open(*moved); !opened)
             tellFailure(opened.error());
         else
-            m_messages->showWarning(tr("“%1” was renamed with its videos by another program. It is open as “%2” now.").arg(name, projectName()));
+            m_messages->showWarning(
+                tr("“%1” was renamed with its videos by another program. It is open as “%2” now.")
+                    .arg(name, projectName()));
         return;
     }
     const auto rescued = m_workspace->rescue();
     if (rescued)
-        m_messages->showWarning(tr("“%1” was deleted, renamed or replaced by another program. What was in it is rescued in “%2”, which is open now.")
-                                 .arg(name, QString::fromStdString(rescued->filename().string())));
+        m_messages->showWarning(tr("“%1” was deleted, renamed or replaced by another program. What was in it "
+                                   "is rescued in “%2”, which is open now.")
+                                    .arg(name, QString::fromStdString(rescued->filename().string())));
     else
         tellFailure(rescued.error());
 }
@@ -219,11 +215,14 @@ void MainWindow::rescueProject()
 /// Another program wrote over the file while it was open: what it held before is gone.
 void MainWindow::reopenProject()
 {
-    if (!m_workspace->project() || !m_workspace->project()->isOverwritten()) // said once more before it was opened again
+    // said once more before it was opened again
+    if (!m_workspace->project() || !m_workspace->project()->isOverwritten())
         return;
     const QString name = projectName();
     if (isWorking()) {
-        m_messages->showDone(tr("Another program wrote over “%1”. What it holds now is opened as soon as the running work has ended.").arg(name));
+        m_messages->showDone(tr("Another program wrote over “%1”. What it holds now is opened as soon as the "
+                                "running work has ended.")
+                                 .arg(name));
         return;
     }
     if (const Result<void> opened = m_workspace->reopen(); !opened) {
@@ -232,7 +231,9 @@ void MainWindow::reopenProject()
         tellFailure(opened.error());
         return;
     }
-    m_messages->showWarning(tr("Another program wrote over “%1” while it was open: what it held before is gone. What it holds now is shown.").arg(name));
+    m_messages->showWarning(tr("Another program wrote over “%1” while it was open: what it held before is "
+                               "gone. What it holds now is shown.")
+                                .arg(name));
 }
 
 QString MainWindow::projectName() const
@@ -273,12 +274,11 @@ void MainWindow::makePages()
 void MainWindow::connectPages()
 {
     connect(m_pages.get(), &ProjectPages::made, this, &MainWindow::addPage);
-    connect(m_pages.get(), &ProjectPages::shown, this,
-            [this](Mode mode) {
-                m_modeBar->setCurrent(static_cast<int>(mode));
-                m_menus->setShown(mode);
-                showDesk(mode);
-            });
+    connect(m_pages.get(), &ProjectPages::shown, this, [this](Mode mode) {
+        m_modeBar->setCurrent(static_cast<int>(mode));
+        m_menus->setShown(mode);
+        showDesk(mode);
+    });
     connect(m_pages.get(), &ProjectPages::changed, this, &MainWindow::showState);
     connect(m_pages.get(), &ProjectPages::told, m_messages, &MessageBar::showDone);
     connect(m_pages.get(), &ProjectPages::failed, this, &MainWindow::tellFailure);
@@ -357,7 +357,8 @@ void MainWindow::remakePages()
     if (!m_pages)
         return;
     if (m_pages->record().isRecording()) {
-        m_messages->showDone(tr("The pages follow when the project is opened again, for a recording goes on."));
+        m_messages->showDone(
+            tr("The pages follow when the project is opened again, for a recording goes on."));
         return;
     }
     const Mode mode = m_pages->mode();
@@ -434,7 +435,8 @@ void MainWindow::showState()
 void MainWindow::tellFailure(const Error &error)
 {
     Project *project = m_workspace->project();
-    m_messages->showError(project ? shownError(error, project->teams().all().value_or(std::vector<TeamRecord>())) : error);
+    m_messages->showError(
+        project ? shownError(error, project->teams().all().value_or(std::vector<TeamRecord>())) : error);
 }
 
 bool MainWindow::event(QEvent *event)

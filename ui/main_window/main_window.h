@@ -42,8 +42,8 @@ public:
     MainWindow();
     ~MainWindow() override;
 
-    /// Begins to open a project and to show its newest trial; tells by itself when it fails, and keeps the one
-    /// that was open.
+    /// Begins to open a project and to show its newest trial; tells by itself when it fails, and keeps the
+    /// one that was open.
     void beginOpening(const std::filesystem::path &file);
     /// As beginOpening, but waits until it is open and leaves a failure to the caller.
     Result<void> openProject(const std::filesystem::path &file);
@@ -51,12 +51,14 @@ public:
     void showMode(Mode mode);
     /// Shows a trial in Review. NotFound with the names there are.
     Result<void> showTrial(const std::string &name);
-    /// Compares trials in Compare; a single one with another that suits it. NotFound where one of them does not exist.
+    /// Compares trials in Compare; a single one with another that suits it. NotFound where one of them does
+    /// not exist.
     Result<void> compareTrials(const QStringList &names);
     /// Every picture that belongs to what is shown is on screen, or cannot be had.
     bool isSettled() const;
 
-    /// For when the program may have to end at any moment: what is being recorded is complete in the project, and notes are stored, when this returns.
+    /// For when the program may have to end at any moment: what is being recorded is complete in the project,
+    /// and notes are stored, when this returns.
     void finishRecording();
 
     Workspace &workspace() const { return *m_workspace; }

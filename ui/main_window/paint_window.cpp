@@ -13,7 +13,7 @@ namespace odo {
 namespace {
 constexpr std::chrono::seconds longestWait{10};
 constexpr std::chrono::milliseconds lookEach{50};
-}
+} // namespace
 
 QImage paintWindow(MainWindow &window, QSize size, const CancelToken &cancel)
 {

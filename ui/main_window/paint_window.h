@@ -11,7 +11,8 @@ namespace odo {
 class MainWindow;
 
 /// The window as a user would see it at a size in logical pixels, once its pictures are there (or ten seconds
-/// have passed). Cancelled, it is what is there then. Works on the offscreen platform. The picture has the size times the device pixel ratio.
+/// have passed). Cancelled, it is what is there then. Works on the offscreen platform. The picture has the
+/// size times the device pixel ratio.
 QImage paintWindow(MainWindow &window, QSize size, const CancelToken &cancel = {});
 
 } // namespace odo

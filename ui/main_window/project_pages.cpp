@@ -12,10 +12,48 @@
 #include "ui/review/review_page.h"
 #include "ui/testbed/testbed_page.h"
 
+#include <QCoreApplication>
 #include <QStackedWidget>
 #include <algorithm>
 
 namespace odo {
+
+namespace {
+
+struct NamedMode
+{
+    const char *word, *name;
+};
+
+/// In the order of the modes.
+constexpr std::array<NamedMode, allModes.size()> names{{{"testbed", QT_TRANSLATE_NOOP("Modes", "Testbed")},
+                                                        {"record", QT_TRANSLATE_NOOP("Modes", "Record")},
+                                                        {"review", QT_TRANSLATE_NOOP("Modes", "Review")},
+                                                        {"compare", QT_TRANSLATE_NOOP("Modes", "Compare")},
+                                                        {"history", QT_TRANSLATE_NOOP("Modes", "History")}}};
+
+const NamedMode &named(WindowMode mode)
+{
+    return names.at(static_cast<std::size_t>(mode));
+}
+
+} // namespace
+
+QString modeWord(WindowMode mode)
+{
+    return QString::fromLatin1(named(mode).word);
+}
+
+std::optional<WindowMode> modeFromWord(const QString &word)
+{
+    const auto same = std::ranges::find(allModes, word, modeWord);
+    return same == allModes.end() ? std::nullopt : std::optional(*same);
+}
+
+QString modeName(WindowMode mode)
+{
+    return QCoreApplication::translate("Modes", named(mode).name);
+}
 
 ProjectPages::ProjectPages(Workspace &workspace, QStackedWidget &stack, QObject *parent)
     : QObject(parent), m_workspace(workspace), m_stack(stack)
@@ -64,7 +102,8 @@ QWidget *ProjectPages::page(Mode mode)
     return page;
 }
 
-/// In its place from the beginning: whatever moves from one parent to another is given its style anew, with all that is in it.
+/// In its place from the beginning: whatever moves from one parent to another is given its style anew, with
+/// all that is in it.
 QWidget *ProjectPages::make(Mode mode)
 {
     switch (mode) {

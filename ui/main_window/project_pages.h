@@ -2,13 +2,14 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "ui/main_window/modes.h"
 #include "ui/models/trial_scene.h"
 
 #include <QObject>
+#include <QString>
 #include <QStringList>
 #include <QTimer>
 #include <array>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -16,6 +17,19 @@ class QStackedWidget;
 class QWidget;
 
 namespace odo {
+
+/// The modes of the window, in the order in which the mode bar shows them.
+enum class WindowMode { Testbed, Record, Review, Compare, History };
+
+inline constexpr std::array allModes{WindowMode::Testbed, WindowMode::Record, WindowMode::Review,
+                                     WindowMode::Compare, WindowMode::History};
+
+/// "testbed": of its icon, its help, its command and the command line.
+QString modeWord(WindowMode mode);
+/// nullopt: no mode has that word.
+std::optional<WindowMode> modeFromWord(const QString &word);
+/// "Testbed", as a person reads it.
+QString modeName(WindowMode mode);
 
 class ComparePage;
 class HistoryPage;

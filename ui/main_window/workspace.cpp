@@ -4,17 +4,14 @@
 #include "core/base/file_system.h"
 #include "core/project/place_warning.h"
 #include "core/project/project.h"
+#include "core/project/project_locks.h"
+#include "core/project/project_rescue.h"
 #include "core/project/recording_rows.h"
-#include "core/project/rescue.h"
 #include "core/project/repositories.h"
-#include "core/project/restored_backup.h"
-#include "core/project/sound_backup.h"
-#include "core/project/window_lock.h"
-#include "core/workflow/hash_job.h"
 #include "core/workflow/job.h"
 #include "core/workflow/job_runner.h"
-#include "core/workflow/recover_job.h"
-#include "ui/main_window/project_watch.h"
+#include "core/workflow/record/completed_recordings.h"
+#include "ui/main_window/internal/project_watch.h"
 #include "ui/models/background_task.h"
 #include "ui/models/core_words.h"
 
@@ -54,7 +51,8 @@ struct Workspace::Ready
     std::filesystem::path file;
     std::unique_ptr<WindowLock> lock; ///< null: for reading only, or it is the one that is open here
     bool isOpenHere = false;
-    QString words = {}; ///< why it can only be read, where another window has it, or that it lies in a bad place
+    /// why it can only be read, where another window has it, or that it lies in a bad place
+    QString words = {};
     bool isCutOff = false, lacksHashes = false;
 };
 
@@ -62,7 +60,8 @@ struct Workspace::Made
 {
     Ready ready;
     std::filesystem::path written = {}; ///< what was made for it, and stays in any case
-    std::filesystem::path damaged = {}; ///< the project that could not be opened, where a sound backup lies beside it
+    /// the project that could not be opened, where a sound backup lies beside it
+    std::filesystem::path damaged = {};
 };
 
 Result<void> Workspace::open(const std::filesystem::path &file)
@@ -86,7 +85,8 @@ std::filesystem::path Workspace::openHere() const
 }
 
 /// On any thread.
-Result<Workspace::Ready> Workspace::makeReady(const std::filesystem::path &file, const std::filesystem::path &openHere)
+Result<Workspace::Ready> Workspace::makeReady(const std::filesystem::path &file,
+                                              const std::filesystem::path &openHere)
 {
     Ready ready{file, nullptr, !openHere.empty() && files::isSame(file, openHere)};
     if (!ready.isOpenHere) {
@@ -124,7 +124,8 @@ Result<Workspace::Ready> Workspace::makeReady(const std::filesystem::path &file,
 Result<void> Workspace::show(Ready ready)
 {
     auto lock = ready.isOpenHere ? std::move(m_lock) : std::move(ready.lock);
-    auto project = Project::openChecked(ready.file, lock ? Project::Access::ReadWrite : Project::Access::ReadOnly);
+    auto project =
+        Project::openChecked(ready.file, lock ? Project::Access::ReadWrite : Project::Access::ReadOnly);
     if (!project) {
         if (ready.isOpenHere)
             m_lock = std::move(lock);
@@ -189,7 +190,8 @@ void Workspace::adopt(std::unique_ptr<Project> project, std::unique_ptr<WindowLo
     m_project = std::move(project);
     m_project->keepWritingWhenLost(); // it is rescued
     m_lock = std::move(lock);
-    m_watch = std::make_unique<ProjectWatch>(*m_project, m_lock ? ProjectWatch::Access::ReadWrite : ProjectWatch::Access::ReadOnly);
+    m_watch = std::make_unique<ProjectWatch>(*m_project, m_lock ? ProjectWatch::Access::ReadWrite
+                                                                : ProjectWatch::Access::ReadOnly);
     connect(m_watch.get(), &ProjectWatch::changedOutside, this, &Workspace::changed);
     connect(m_watch.get(), &ProjectWatch::savedChanged, this, &Workspace::savedChanged);
     connect(m_watch.get(), &ProjectWatch::lost, this, &Workspace::lost, Qt::QueuedConnection);
@@ -218,7 +220,8 @@ Result<std::filesystem::path> Workspace::rescue()
 std::optional<std::filesystem::path> Workspace::movedTo() const
 {
     auto place = m_project->presentPlace();
-    const bool isWhole = place && !files::exists(m_project->mediaFolder()) && files::isFolder(mediaFolderOf(*place));
+    const bool isWhole =
+        place && !files::exists(m_project->mediaFolder()) && files::isFolder(mediaFolderOf(*place));
     return isWhole ? place : std::nullopt;
 }
 
@@ -281,7 +284,8 @@ Result<void> Workspace::begin(std::function<Result<std::filesystem::path>(const 
     connect(m_making.get(), &BackgroundTask::finished, this,
             [this, made, words, whenOpen = std::move(whenOpen)](const std::optional<Error> &error) {
                 Ready ready = std::move(made->ready); // and with it the lock, whatever comes
-                // Asked here, not on the task's thread: what is cancelled after that has ended does not open either.
+                // Asked here, not on the task's thread: what is cancelled after that has ended does not open
+                // either.
                 const std::optional<Error> outcome =
                     !error && m_making->isCancelled() ? cancelled(words.toStdString()).value() : error;
                 finishJob(outcome);
@@ -298,19 +302,20 @@ Result<void> Workspace::begin(std::function<Result<std::filesystem::path>(const 
                 else if (whenOpen)
                     whenOpen();
             });
-    m_making->start([made, openHere = openHere(),
-                     find = std::move(find)](const JobControl &control) -> Result<void> {
-        const Result<std::filesystem::path> file = find(control, *made);
-        if (!file)
-            return tl::unexpected(file.error());
-        auto looked = makeReady(*file, openHere);
-        if (!looked) {
-            const bool isOpenHere = !openHere.empty() && files::isSame(*file, openHere);
-            return tl::unexpected(isOpenHere ? looked.error() : offeringABackup(looked.error(), *file, *made));
-        }
-        made->ready = std::move(*looked);
-        return {};
-    });
+    m_making->start(
+        [made, openHere = openHere(), find = std::move(find)](const JobControl &control) -> Result<void> {
+            const Result<std::filesystem::path> file = find(control, *made);
+            if (!file)
+                return tl::unexpected(file.error());
+            auto looked = makeReady(*file, openHere);
+            if (!looked) {
+                const bool isOpenHere = !openHere.empty() && files::isSame(*file, openHere);
+                return tl::unexpected(isOpenHere ? looked.error()
+                                                 : offeringABackup(looked.error(), *file, *made));
+            }
+            made->ready = std::move(*looked);
+            return {};
+        });
     Q_EMIT jobStarted(words);
     return {};
 }

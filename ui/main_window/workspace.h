@@ -37,31 +37,35 @@ public:
     /// All changes are in the project file, so that a copy of it has them.
     bool isSaved() const;
 
-    /// Begins to open for writing or, where the place cannot be written to or another window has the project, for
-    /// reading: the file is looked through and brought up to date on a thread of its own. As makeAndOpen.
+    /// Begins to open for writing or, where the place cannot be written to or another window has the project,
+    /// for reading: the file is looked through and brought up to date on a thread of its own. As makeAndOpen.
     Result<void> beginOpening(const std::filesystem::path &file, Done whenOpen = {});
-    /// As beginOpening, but waits: where no window is on screen. The project that was open stays when it fails.
+    /// As beginOpening, but waits: where no window is on screen. The project that was open stays when it
+    /// fails.
     Result<void> open(const std::filesystem::path &file);
     /// Makes a project and opens it.
     Result<void> create(const std::filesystem::path &file, const QString &title);
 
     /// Starts a job on the open project. Refused while another one runs.
     Result<void> start(std::shared_ptr<Job> job, const QString &words, Done done);
-    /// Makes a project, on a thread of its own, and opens it when it is done; then whenOpen is called. The project that is open
-    /// stays until then, or when it fails. Refused while a job runs. Trials of the opened project whose recording
-    /// was cut off are completed by a job, and hashes that are missing are made.
-    Result<void> makeAndOpen(std::function<Result<std::filesystem::path>(const JobControl &)> make, const QString &words,
-                             Done whenOpen = {});
-    /// Puts a copy of its newest sound backup in the place of a damaged project, which is kept beside it, and opens that. As makeAndOpen.
+    /// Makes a project, on a thread of its own, and opens it when it is done; then whenOpen is called. The
+    /// project that is open stays until then, or when it fails. Refused while a job runs. Trials of the
+    /// opened project whose recording was cut off are completed by a job, and hashes that are missing are
+    /// made.
+    Result<void> makeAndOpen(std::function<Result<std::filesystem::path>(const JobControl &)> make,
+                             const QString &words, Done whenOpen = {});
+    /// Puts a copy of its newest sound backup in the place of a damaged project, which is kept beside it, and
+    /// opens that. As makeAndOpen.
     Result<void> beginRestoring(const std::filesystem::path &file, Done whenOpen);
     void cancel();
-    /// For a project whose file was deleted, renamed or replaced: copies what is in it to a new file beside it, and opens
-    /// that. Gives the new file.
+    /// For a project whose file was deleted, renamed or replaced: copies what is in it to a new file beside
+    /// it, and opens that. Gives the new file.
     Result<std::filesystem::path> rescue();
-    /// Where the project's file and its media folder were moved to, as those of that name; nothing where not both of them were.
+    /// Where the project's file and its media folder were moved to, as those of that name; nothing where not
+    /// both of them were.
     std::optional<std::filesystem::path> movedTo() const;
-    /// For a project whose file another program wrote over: closes it and opens what the file holds now. Where that cannot be opened no
-    /// project is open afterwards.
+    /// For a project whose file another program wrote over: closes it and opens what the file holds now.
+    /// Where that cannot be opened no project is open afterwards.
     Result<void> reopen();
 
 Q_SIGNALS:

@@ -5,7 +5,9 @@
 #include "core/base/job_control.h"
 
 #include <QObject>
+#include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <thread>
 
@@ -37,6 +39,58 @@ private:
     CancelToken m_cancel;
     std::thread m_thread;
     bool m_running = false;
+};
+
+class Project;
+
+/// Reads from a project on a thread of its own, by a reading connection of its own, so that the window does
+/// not wait. The newest request counts: one that is overtaken is not told. A request begins when the event
+/// loop runs again; of several made before that, only the last is begun. The window must have the project
+/// open meanwhile. GUI thread; the destructor waits for what is being read.
+class ProjectReader : public QObject
+{
+    Q_OBJECT
+public:
+    explicit ProjectReader(std::filesystem::path projectFile, QObject *parent = nullptr);
+
+    /// what is called on the reader's thread; then, on the GUI thread, take with what it gave or why the
+    /// project cannot be read.
+    template <class Value>
+    void read(std::function<Result<Value>(Project &)> what, std::function<void(Result<Value>)> take)
+    {
+        const auto value = std::make_shared<std::optional<Value>>();
+        ask({[what = std::move(what), value](Project &project) -> Result<void> {
+                 Result<Value> given = what(project);
+                 if (!given)
+                     return tl::unexpected(given.error());
+                 *value = std::move(*given);
+                 return {};
+             },
+             [take = std::move(take), value](const std::optional<Error> &error) {
+                 if (error)
+                     take(tl::unexpected(*error));
+                 else
+                     take(std::move(**value));
+             }});
+    }
+    /// Something was asked for that was not told yet.
+    bool isRunning() const { return m_next.has_value() || m_isWanted; }
+
+private:
+    struct Request
+    {
+        std::function<Result<void>(Project &)> what;
+        std::function<void(const std::optional<Error> &)> take;
+    };
+    void ask(Request request);
+    void begin();
+    void finish(const std::optional<Error> &error);
+
+    std::filesystem::path m_file;
+    std::optional<Request> m_next; ///< not begun yet
+    std::function<void(const std::optional<Error> &)> m_take;
+    bool m_isWanted = false; ///< what is being read
+    BackgroundTask m_task;
 };
 
 } // namespace odo

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/comparison_scene.h"
 
-#include "ui/models/profile_place.h"
+#include "ui/models/figure_text.h"
+#include "ui/models/trial_scene.h"
 
+#include <QCoreApplication>
 #include <algorithm>
+#include <cmath>
 
 namespace odo {
 
@@ -97,6 +100,325 @@ Result<ComparisonScenePtr> loadComparisonScene(Project &project, const CompareSe
     result->trials = std::move(*trials);
     result->compared = std::move(*compared);
     return ComparisonScenePtr(std::move(result));
+}
+
+namespace {
+
+class ComparisonExplanationWords
+{
+    Q_DECLARE_TR_FUNCTIONS(ComparisonExplanation)
+};
+
+QString nameOf(const ComparisonScene &scene, std::size_t run)
+{
+    return QString::fromStdString(scene.name(run));
+}
+
+/// Whether a difference can be claimed, with the numbers that say so.
+QString significanceText(const Difference &difference)
+{
+    const QLocale locale;
+    if (!(difference.sigma > 0))
+        return difference.value == 0
+                   ? ComparisonExplanationWords::tr("There is no difference.")
+                   : ComparisonExplanationWords::tr("Both are exact, so that any difference is one.");
+    const QString ratio = locale.toString(std::abs(difference.value) / difference.sigma, 'f', 1);
+    return difference.isSignificant()
+               ? ComparisonExplanationWords::tr("It is %1 σ, more than 1.96: were there no difference, "
+                                                "chance would give as much in less than 5 of 100 cases.")
+                     .arg(ratio)
+               : ComparisonExplanationWords::tr("It is %1 σ, not more than 1.96: within the error, so that "
+                                                "no difference can be claimed.")
+                     .arg(ratio);
+}
+
+QString sourceText()
+{
+    return QStringLiteral("JCGM 100:2008, 5.1.2, G.1");
+}
+
+/// What all comparisons rest on: the path, the moment that counts as the same, the calibration, both
+/// analyses.
+QStringList comparisonInputs(const ComparisonScene &scene, std::size_t run)
+{
+    const RunComparison &comparison = scene.compared.comparison;
+    QStringList lines;
+    lines << (comparison.isTasksPath
+                  ? ComparisonExplanationWords::tr("along the task's reference path")
+                  : ComparisonExplanationWords::tr("along the way of %1").arg(nameOf(scene, 0)));
+    switch (comparison.alignedBy) {
+    case AlignBy::StartGate:
+        lines << ComparisonExplanationWords::tr("time 0: each passes the start gate");
+        break;
+    case AlignBy::MotionOnset:
+        lines << ComparisonExplanationWords::tr("time 0: each begins to move");
+        break;
+    case AlignBy::Distance:
+        lines << ComparisonExplanationWords::tr("time 0: each first comes to the same place of the way");
+        break;
+    case AlignBy::ByHand:
+        lines << ComparisonExplanationWords::tr("time 0: told by hand, to a frame");
+        break;
+    }
+    lines << (comparison.shareCalibration
+                  ? ComparisonExplanationWords::tr(
+                        "both by the same registrations and for the same solid: what the calibration adds is "
+                        "common, and only its difference counts")
+                  : ComparisonExplanationWords::tr(
+                        "not by the same registrations, or not for the same solid: what the calibration adds "
+                        "counts for both in full"));
+    for (const std::size_t each : {std::size_t(0), run})
+        lines << analysisInputs(*scene.scenes[each], scene.robots[each]);
+    lines.removeDuplicates();
+    return lines;
+}
+
+QString timeWithUnit(const Difference &time)
+{
+    return figureText(time.value, time.sigma, QStringLiteral("s")).text();
+}
+
+} // namespace
+
+Explanation explainDifference(const ComparisonScene &scene, std::size_t run, const MetricDifference &metric)
+{
+    const auto figure = [&metric](std::optional<double> value, std::optional<double> sigma) {
+        return value ? metricFigure({metric.name, metric.unit, *value, sigma}).text()
+                     : ComparisonExplanationWords::tr("none");
+    };
+    Explanation told;
+    told.what = ComparisonExplanationWords::tr("%1: %2 less %3")
+                    .arg(metricName(metric.name), nameOf(scene, run), nameOf(scene, 0));
+    told.inputs << ComparisonExplanationWords::tr("%1: %2").arg(nameOf(scene, 0),
+                                                                figure(metric.a, metric.sigmaA));
+    told.inputs << ComparisonExplanationWords::tr("%1: %2").arg(nameOf(scene, run),
+                                                                figure(metric.b, metric.sigmaB));
+    const Explanation each =
+        explainMetric(Metric{metric.name, metric.unit, 0, metric.sigmaA ? metric.sigmaA : metric.sigmaB}, {});
+    if (!metric.difference) {
+        told.value = ComparisonExplanationWords::tr("only one of the two has it");
+        told.formula = each.formula;
+    } else {
+        told.value = figure(metric.difference->value, metric.difference->sigma);
+        told.formula = ComparisonExplanationWords::tr("the figure of %1 less that of %2")
+                           .arg(nameOf(scene, run), nameOf(scene, 0)) +
+                       u'\n' + significanceText(*metric.difference);
+        if (!each.formula.isEmpty())
+            told.formula += u'\n' + ComparisonExplanationWords::tr("Each: %1").arg(each.formula);
+        told.uncertainty =
+            ComparisonExplanationWords::tr("√(σ₁² + σ₂²), both as independent; where the runs share their "
+                                           "calibration, its error of scale leaves "
+                                           "only its part of the difference");
+        told.source = sourceText();
+    }
+    told.inputs += comparisonInputs(scene, run);
+    return told;
+}
+
+Explanation explainSector(const ComparisonScene &scene, std::size_t run, const SectorTimes &sector)
+{
+    const auto time = [](const std::optional<Difference> &of) {
+        return of ? timeWithUnit(*of) : ComparisonExplanationWords::tr("not seen at an end");
+    };
+    Explanation told;
+    told.what = ComparisonExplanationWords::tr("Sector %1 to %2: %3 less %4")
+                    .arg(sector.from.empty() ? ComparisonExplanationWords::tr("begin")
+                                             : QString::fromStdString(sector.from),
+                         sector.to.empty() ? ComparisonExplanationWords::tr("end")
+                                           : QString::fromStdString(sector.to),
+                         nameOf(scene, run), nameOf(scene, 0));
+    const auto &difference = sector.differences.at(run);
+    told.value = time(difference);
+    told.formula =
+        ComparisonExplanationWords::tr("The time from the first arrival at the one gate to the first arrival "
+                                       "at the next, of each run, by its place along "
+                                       "the common path; waiting counts.");
+    if (difference)
+        told.formula += u'\n' + significanceText(*difference);
+    told.uncertainty =
+        ComparisonExplanationWords::tr("of each arrival: σ of the place along the path over the speed; "
+                                       "displacements at two gates count as independent");
+    told.source = sourceText();
+    told.inputs << ComparisonExplanationWords::tr("from %1 to %2 of the way")
+                       .arg(distanceText(sector.fromM - scene.compared.comparison.originM),
+                            distanceText(sector.toM - scene.compared.comparison.originM));
+    told.inputs << ComparisonExplanationWords::tr("%1: %2").arg(nameOf(scene, 0), time(sector.times.at(0)));
+    told.inputs << ComparisonExplanationWords::tr("%1: %2").arg(nameOf(scene, run),
+                                                                time(sector.times.at(run)));
+    told.inputs += comparisonInputs(scene, run);
+    return told;
+}
+
+Explanation explainTimeDifference(const ComparisonScene &scene, std::size_t run, double distanceM,
+                                  const Difference &difference)
+{
+    Explanation told;
+    told.what = ComparisonExplanationWords::tr("Δt of %1 against %2 at %3")
+                    .arg(nameOf(scene, run), nameOf(scene, 0), distanceText(distanceM));
+    told.value = timeWithUnit(difference);
+    told.formula =
+        ComparisonExplanationWords::tr("The time of the first arrival at this place of the common path, each "
+                                       "from its own time 0: that of %1 less that of %2. "
+                                       "Above 0 it is later.")
+            .arg(nameOf(scene, run), nameOf(scene, 0)) +
+        u'\n' + significanceText(difference);
+    told.uncertainty = ComparisonExplanationWords::tr(
+        "of both arrivals: σ of the place along the path over the speed, and of both times 0");
+    told.source = sourceText();
+    told.inputs = comparisonInputs(scene, run);
+    return told;
+}
+
+Explanation explainSpeedOnWay(const ComparisonScene &scene, std::size_t run, double distanceM,
+                              const QString &value)
+{
+    Explanation told;
+    told.what =
+        ComparisonExplanationWords::tr("Speed of %1 at %2").arg(nameOf(scene, run), distanceText(distanceM));
+    told.value = value;
+    told.formula =
+        ComparisonExplanationWords::tr("|v| of the smoothed curve where the run first comes to this place of "
+                                       "the common path, between frames interpolated");
+    told.uncertainty = ComparisonExplanationWords::tr(
+        "σ of the smoothed velocity there, with the calibration's error of scale");
+    told.inputs = comparisonInputs(scene, run);
+    return told;
+}
+
+namespace {
+
+const QString dash = QStringLiteral("–");
+
+/// "1.83 ±0.02", the unit stands beside the name.
+QString bareText(FigureText figure)
+{
+    figure.unit.clear();
+    return figure.text();
+}
+
+/// With a plus where it is one.
+QString signedText(const FigureText &figure, double value)
+{
+    const bool hasDigits =
+        std::ranges::any_of(figure.value, [](QChar c) { return c.isDigit() && c.digitValue() > 0; });
+    return (value > 0 && hasDigits ? QStringLiteral("+") : QString()) + bareText(figure);
+}
+
+QString metricText(const MetricDifference &metric, const std::optional<double> &value,
+                   const std::optional<double> &sigma)
+{
+    return value ? bareText(metricFigure({metric.name, metric.unit, *value, sigma})) : dash;
+}
+
+QString secondsFigure(const std::optional<Difference> &time)
+{
+    return time ? bareText(figureText(time->value, time->sigma, QString())) : dash;
+}
+
+} // namespace
+
+DifferenceModel::DifferenceModel(QObject *parent) : RowTableModel(ColumnCount, parent) {}
+
+void DifferenceModel::setMetrics(const std::vector<MetricDifference> &metrics)
+{
+    std::vector<Row> rows;
+    for (const MetricDifference &metric : metrics) {
+        const QString unit = metricFigure({metric.name, metric.unit, 0, std::nullopt}).unit;
+        Row row{unit.isEmpty() ? metricName(metric.name) : tr("%1, %2").arg(metricName(metric.name), unit),
+                metricText(metric, metric.a, metric.sigmaA),
+                metricText(metric, metric.b, metric.sigmaB),
+                dash,
+                metric.difference.has_value(),
+                false};
+        if (metric.difference) {
+            const Metric difference{metric.name, metric.unit, metric.difference->value,
+                                    metric.difference->sigma};
+            row.difference = signedText(metricFigure(difference), difference.value);
+            row.isSignificant = metric.difference->isSignificant();
+        }
+        rows.push_back(std::move(row));
+    }
+    setRows(std::move(rows));
+}
+
+void DifferenceModel::setSectors(const std::vector<SectorTimes> &sectors, std::size_t run)
+{
+    std::vector<Row> rows;
+    for (const SectorTimes &sector : sectors) {
+        const QString from = sector.from.empty() ? tr("begin") : QString::fromStdString(sector.from);
+        const QString to = sector.to.empty() ? tr("end") : QString::fromStdString(sector.to);
+        const auto &difference = sector.differences[run];
+        Row row{tr("%1 to %2").arg(from, to),     secondsFigure(sector.times[0]),
+                secondsFigure(sector.times[run]), dash,
+                difference.has_value(),           difference && difference->isSignificant()};
+        if (difference)
+            row.difference =
+                signedText(figureText(difference->value, difference->sigma, QString()), difference->value);
+        rows.push_back(std::move(row));
+    }
+    setRows(std::move(rows));
+}
+
+void DifferenceModel::setRows(std::vector<Row> rows)
+{
+    beginResetModel();
+    m_rows = std::move(rows);
+    endResetModel();
+}
+
+void DifferenceModel::setRunNames(const QString &first, const QString &second)
+{
+    m_first = first;
+    m_second = second;
+    Q_EMIT headerDataChanged(Qt::Horizontal, FirstColumn, SecondColumn);
+}
+
+QVariant DifferenceModel::cell(int index, int column, int role) const
+{
+    const Row &row = m_rows[static_cast<std::size_t>(index)];
+    switch (role) {
+    case Qt::DisplayRole:
+        return column == NameColumn    ? row.name
+               : column == FirstColumn ? row.first
+               : column == SecondColumn
+                   ? row.second
+                   : (row.isCompared && !row.isSignificant ? QStringLiteral("≈ ") : QString()) +
+                         row.difference;
+    case Qt::ToolTipRole:
+        if (!row.isCompared)
+            return tr("Only one of the two has it");
+        return row.isSignificant
+                   ? tr("%1: beyond the error (95 %)").arg(row.name)
+                   : tr("%1: within the error (95 %), no difference can be claimed").arg(row.name);
+    case Qt::AccessibleDescriptionRole:
+        return !row.isCompared     ? QString()
+               : row.isSignificant ? tr("beyond the error")
+                                   : tr("within the error");
+    case Qt::TextAlignmentRole:
+        return aligned(column == NameColumn ? Qt::AlignLeft : Qt::AlignRight);
+    case SignificantRole:
+        return row.isSignificant;
+    default:
+        return {};
+    }
+}
+
+QVariant DifferenceModel::heading(int column, int role) const
+{
+    if (role == Qt::TextAlignmentRole)
+        return aligned(column == NameColumn ? Qt::AlignLeft : Qt::AlignRight);
+    if (role != Qt::DisplayRole)
+        return {};
+    switch (column) {
+    case FirstColumn:
+        return m_first;
+    case SecondColumn:
+        return m_second;
+    case DifferenceColumn:
+        return tr("Difference");
+    default:
+        return QString();
+    }
 }
 
 } // namespace odo

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/workflow/compare_trials.h"
+#include "core/analysis/run_differences.h"
+#include "core/workflow/compare/compare_trials.h"
+#include "ui/models/explanation.h"
+#include "ui/models/internal/row_table_model.h"
 #include "ui/models/trial_scene.h"
 
 #include <QStringList>
@@ -43,5 +46,52 @@ using ComparisonScenePtr = std::shared_ptr<const ComparisonScene>;
 /// Reads and compares, on the project's thread. Errors: those of loadTrialScene, readComparedTrials and
 /// compareTrials.
 Result<ComparisonScenePtr> loadComparisonScene(Project &project, const CompareSettings &settings);
+
+/// "How was this computed?" of what Compare shows of a run against the first one. run: 1 or more. distances
+/// as in the comparison, metres.
+
+/// A line of the figures: the difference of both, and whether it is more than their errors.
+Explanation explainDifference(const ComparisonScene &scene, std::size_t run, const MetricDifference &metric);
+/// A line of the sectors.
+Explanation explainSector(const ComparisonScene &scene, std::size_t run, const SectorTimes &sector);
+/// How much later it is at a place of the way.
+Explanation explainTimeDifference(const ComparisonScene &scene, std::size_t run, double distanceM,
+                                  const Difference &difference);
+/// A run's speed where it first came to a place of the way; value: as it is shown. run: 0 or more.
+Explanation explainSpeedOnWay(const ComparisonScene &scene, std::size_t run, double distanceM,
+                              const QString &value);
+
+/// Figures of two runs side by side with their difference: a row a figure or a sector. What is within the
+/// error is muted, and says so in words.
+class DifferenceModel : public RowTableModel
+{
+    Q_OBJECT
+public:
+    enum Columns { NameColumn, FirstColumn, SecondColumn, DifferenceColumn, ColumnCount };
+    enum Roles {
+        SignificantRole = Qt::UserRole, ///< bool; false also where there is nothing to compare
+    };
+
+    explicit DifferenceModel(QObject *parent = nullptr);
+    void setMetrics(const std::vector<MetricDifference> &metrics);
+    /// Of a run against the first one.
+    void setSectors(const std::vector<SectorTimes> &sectors, std::size_t run);
+    /// Above the columns of the two runs.
+    void setRunNames(const QString &first, const QString &second);
+
+private:
+    int rows() const override { return static_cast<int>(m_rows.size()); }
+    QVariant cell(int index, int column, int role) const override;
+    QVariant heading(int column, int role) const override;
+    struct Row
+    {
+        QString name, first, second, difference;
+        bool isCompared = false, isSignificant = false;
+    };
+    void setRows(std::vector<Row> rows);
+
+    std::vector<Row> m_rows;
+    QString m_first, m_second;
+};
 
 } // namespace odo

@@ -12,6 +12,7 @@
 #include <vector>
 
 namespace odo {
+
 namespace {
 
 QString translated(const char *english)
@@ -200,7 +201,8 @@ std::optional<QString> shownPart(const QString &english)
             const QString words = found.compiled->holdsPhrase(number) ? shownWords(value)
                                   : found.compiled->holdsList(number) ? shownList(value)
                                                                       : value;
-            values[number] = pattern == QString::fromUtf8(found.pattern->english) ? words : localNumber(words);
+            values[number] =
+                pattern == QString::fromUtf8(found.pattern->english) ? words : localNumber(words);
         }
         sentence = replaced(pattern, values);
     }
@@ -261,6 +263,37 @@ QString fullSentence(const QString &words)
     return words.isEmpty() || signs.contains(words.back())
                ? words
                : replaced(translated(QT_TRANSLATE_NOOP("CoreWords", "%1.")), {{1, words}});
+}
+
+namespace {
+
+QString shown(const std::string &part)
+{
+    return shownWords(QString::fromStdString(part).simplified());
+}
+
+QString sentence(QString text)
+{
+    if (text.isEmpty())
+        return text;
+    text[0] = text.at(0).toUpper();
+    return fullSentence(text);
+}
+
+} // namespace
+
+QString errorInWords(const Error &error)
+{
+    QStringList sentences{
+        sentence(error.why.empty() ? shown(error.what) : joinedWords(shown(error.what), shown(error.why)))};
+    if (!error.advice.empty())
+        sentences << sentence(shown(error.advice));
+    return sentences.join(QLatin1Char(' '));
+}
+
+QString errorLine(const Error &error)
+{
+    return shownWords(error.message());
 }
 
 } // namespace odo

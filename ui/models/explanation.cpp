@@ -1,16 +1,84 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/explanation.h"
 
-#include "core/trajectory/zone_breaches.h"
+#include "core/analysis/task_metrics.h"
+#include "core/video/frame_times.h"
 #include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace odo {
+
+namespace {
+
+class AnalysisWords
+{
+    Q_DECLARE_TR_FUNCTIONS(AnalysisWords)
+};
+
+QString millisecondText(double seconds)
+{
+    return AnalysisWords::tr("%1 ms").arg(QLocale().toString(seconds * 1e3, 'f', 1));
+}
+
+QString begunText(double offsetS)
+{
+    return offsetS < 0 ? AnalysisWords::tr("begun %1 earlier").arg(millisecondText(-offsetS))
+                       : AnalysisWords::tr("begun %1 later").arg(millisecondText(offsetS));
+}
+
+} // namespace
+
+QString smootherText(Smoother smoother)
+{
+    switch (smoother) {
+    case Smoother::Rts:
+        return AnalysisWords::tr("Kalman/RTS, noise from the data");
+    case Smoother::SavGol:
+        return AnalysisWords::tr("Savitzky–Golay, cubic, 11 points");
+    case Smoother::Tracker:
+        return AnalysisWords::tr("differences as in Tracker");
+    case Smoother::None:
+        break;
+    }
+    return AnalysisWords::tr("none: raw differences");
+}
+
+QString stepText(const RecordingRecord &view)
+{
+    const QString sigma = millisecondText(view.startOffsetSigmaS), begun = begunText(view.startOffsetS);
+    if (view.syncMethod == "told")
+        return AnalysisWords::tr("%1, as told by hand").arg(begun);
+    QString text;
+    if (view.syncMethod == "auto")
+        text = AnalysisWords::tr("in step to %1, found from the motion; %2").arg(sigma, begun);
+    else if (view.syncMethod == "flash")
+        text = AnalysisWords::tr("in step to %1, found from a flash of light; %2").arg(sigma, begun);
+    else if (view.syncMethod == "clock")
+        text = AnalysisWords::tr("in step to %1, by the cameras' time stamps; %2").arg(sigma, begun);
+    else
+        return AnalysisWords::tr("taken as begun together");
+    if (view.clockRate != 0)
+        text += view.clockRate > 0
+                    ? AnalysisWords::tr(", its clock %1 ppm fast").arg(std::lround(view.clockRate * 1e6))
+                    : AnalysisWords::tr(", its clock %1 ppm slow").arg(std::lround(-view.clockRate * 1e6));
+    return text;
+}
+
+QString unevenText(const RecordingRecord &view)
+{
+    const auto uneven = unevenRate(view.frameTimes);
+    const auto ms = [](Nanoseconds interval) {
+        return QLocale().toString(toSeconds(interval) * 1e3, 'f', 0);
+    };
+    return uneven ? AnalysisWords::tr("%1 to %2 ms apart").arg(ms(uneven->shortest), ms(uneven->longest))
+                  : QString();
+}
 
 namespace {
 
@@ -29,7 +97,7 @@ const char *const ofTheCurve = QT_TRANSLATE_NOOP(
 
 constexpr const char *none = "";
 
-/// The formulas are those of core/trajectory/metrics.h and task_metrics.h.
+/// The formulas are those of core/analysis/metrics.h and task_metrics.h.
 const std::array<MetricWords, 28> &metricWords()
 {
     static const std::array<MetricWords, 28> words{{
@@ -132,18 +200,23 @@ const std::array<MetricWords, 28> &metricWords()
         {"path_completed",
          QT_TRANSLATE_NOOP("Explanation", "The share of the reference path that was followed."), none, none},
         {"zone_breaches",
-         QT_TRANSLATE_NOOP("Explanation",
-                           "How often the robot's centre left a zone to stay in, or came into one to keep out of. It counts where it is "
-                           "beyond the edge by more than three σ of the track's own noise."),
+         QT_TRANSLATE_NOOP("Explanation", "How often the robot's centre left a zone to stay in, or came into "
+                                          "one to keep out of. It counts where it is "
+                                          "beyond the edge by more than three σ of the track's own noise."),
          none, none},
         {"zone_time",
-         QT_TRANSLATE_NOOP("Explanation", "The time in which the robot's centre was beyond the edge of a zone, interpolated between "
-                                          "frames; in two zones at once it counts twice."),
-         QT_TRANSLATE_NOOP("Explanation", "of each moment at an edge: σ of the position across it over the speed; and what the time "
-                                          "differs by when the calibration puts the track nearer or further"),
+         QT_TRANSLATE_NOOP(
+             "Explanation",
+             "The time in which the robot's centre was beyond the edge of a zone, interpolated between "
+             "frames; in two zones at once it counts twice."),
+         QT_TRANSLATE_NOOP(
+             "Explanation",
+             "of each moment at an edge: σ of the position across it over the speed; and what the time "
+             "differs by when the calibration puts the track nearer or further"),
          none},
         {"zone_depth",
-         QT_TRANSLATE_NOOP("Explanation", "How far the robot's centre was beyond the edge of a zone at most."),
+         QT_TRANSLATE_NOOP("Explanation",
+                           "How far the robot's centre was beyond the edge of a zone at most."),
          QT_TRANSLATE_NOOP("Explanation", "of the position across the edge, there"), none},
     }};
     return words;
@@ -192,7 +265,7 @@ struct CurveWords
     QString name, formula, uncertainty;
 };
 
-/// The formulas are those of core/trajectory/quantity_curve.h.
+/// The formulas are those of core/analysis/quantity_curve.h.
 CurveWords curveWords(Quantity quantity)
 {
     const QString ofVelocity =
@@ -334,7 +407,8 @@ QStringList zoneBreachLines(const TrialScene &scene, std::size_t robot)
     QStringList lines;
     if (!analysis || !scene.task || analysis->task != scene.taskId)
         return lines;
-    for (const ZoneBreach &breach : findZoneBreaches(scene.task->zones, analysis->profile.samples, analysis->profile.points))
+    for (const ZoneBreach &breach :
+         findZoneBreaches(scene.task->zones, analysis->profile.samples, analysis->profile.points))
         lines << ExplanationWords::tr("%1: from %2 to %3, %4 beyond the edge at most")
                      .arg(QString::fromStdString(breach.zone), secondsText(breach.from),
                           secondsText(breach.to), lengthText(breach.depthM));
@@ -362,7 +436,8 @@ Explanation explainMetric(const TrialScene &scene, std::size_t robot, const Metr
     return explainMetric(metric, inputs);
 }
 
-Explanation explainCurve(const TrialScene &scene, std::size_t robot, Quantity quantity, Nanoseconds time, const QString &value)
+Explanation explainCurve(const TrialScene &scene, std::size_t robot, Quantity quantity, Nanoseconds time,
+                         const QString &value)
 {
     const CurveWords words = curveWords(quantity);
     Explanation explanation{ExplanationWords::tr("%1 at %2").arg(words.name, secondsText(time)),
@@ -376,7 +451,8 @@ Explanation explainCurve(const TrialScene &scene, std::size_t robot, Quantity qu
         const auto &samples = analysis->profile.samples;
         const auto after = std::ranges::upper_bound(samples, time, {}, &Sample::time);
         if (after != samples.begin())
-            explanation.inputs = sampleLines(scene, robot, static_cast<std::size_t>(after - samples.begin()) - 1);
+            explanation.inputs =
+                sampleLines(scene, robot, static_cast<std::size_t>(after - samples.begin()) - 1);
     }
     explanation.inputs += analysisInputs(scene, robot);
     return explanation;

@@ -1,13 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/trajectory/quantity_curve.h"
+#include "core/analysis/quantity_curve.h"
+#include "core/project/records.h"
 #include "ui/models/trial_scene.h"
 
 #include <QString>
 #include <QStringList>
 
 namespace odo {
+
+/// What went into figures, in words that fit a line.
+
+/// "Kalman/RTS, noise from the data"
+QString smootherText(Smoother smoother);
+/// How a view was put in step with the first one: "in step to 1.2 ms, found from the motion; begun 3.0 ms
+/// later".
+QString stepText(const RecordingRecord &view);
+/// How far apart the pictures of a camera with an uneven rate are: "9 to 46 ms apart"; empty where the rate
+/// is even.
+QString unevenText(const RecordingRecord &view);
 
 /// "How was this computed?" of one number: plain text that can be copied.
 struct Explanation
@@ -25,11 +37,14 @@ struct Explanation
 /// What an analysis was made of: samples used and left out, smoother, views, height, version.
 QStringList analysisInputs(const TrialScene &scene, std::size_t robot);
 
-/// When and how far a robot was beyond the edges of its task's zones, a line each; none where it was measured by another course.
+/// When and how far a robot was beyond the edges of its task's zones, a line each; none where it was measured
+/// by another course.
 QStringList zoneBreachLines(const TrialScene &scene, std::size_t robot);
 
-/// Of the curve of a quantity at a moment of a robot's: that of the last sample not after it. value: as it is shown there.
-Explanation explainCurve(const TrialScene &scene, std::size_t robot, Quantity quantity, Nanoseconds time, const QString &value);
+/// Of the curve of a quantity at a moment of a robot's: that of the last sample not after it. value: as it is
+/// shown there.
+Explanation explainCurve(const TrialScene &scene, std::size_t robot, Quantity quantity, Nanoseconds time,
+                         const QString &value);
 
 /// What is known of an analysis without its series: smoother, height, version.
 QStringList analysisInputs(const TrialRecord &trial, const AnalysisRecord &analysis);

@@ -1,15 +1,114 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/models/figure_text.h"
 
-#include "ui/models/shown_units.h"
-
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <QStringList>
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 
 namespace odo {
+
+Badge registrationBadge(const std::optional<FloorRegistration> &registration)
+{
+    constexpr double goodBelowM = 0.005, badFromM = 0.020;
+    if (!registration)
+        return {QCoreApplication::translate("odo::Badge", "not registered"), BadgeState::Bad};
+    // Markers may fit by chance, and closely under a lens that is hardly known: the worse of the two counts.
+    const double worseM = std::max(registration->rmsM, registration->floorSigmaM);
+    const QString text = QChar(0x00b1) + lengthText(worseM);
+    if (worseM <= goodBelowM)
+        return {text, BadgeState::Good};
+    return {text, worseM < badFromM ? BadgeState::Warning : BadgeState::Bad};
+}
+
+Badge cameraBadge(const std::optional<RegistrationRecord> &registration)
+{
+    if (!registration)
+        return registrationBadge(std::nullopt);
+    if (registration->lastCheck) {
+        const RegistrationCheck &check = *registration->lastCheck;
+        switch (check.outcome) {
+        case RegistrationCheck::Outcome::CameraMoved:
+            return {QCoreApplication::translate("odo::Badge", "moved %1").arg(lengthText(check.shiftM)),
+                    BadgeState::Bad};
+        case RegistrationCheck::Outcome::MarkersMoved:
+            return {
+                QCoreApplication::translate("odo::Badge", "marker moved %1").arg(lengthText(check.shiftM)),
+                BadgeState::Warning};
+        case RegistrationCheck::Outcome::NotTold:
+            return {QCoreApplication::translate("odo::Badge", "markers not found"), BadgeState::Warning};
+        case RegistrationCheck::Outcome::Still:
+            break;
+        }
+    }
+    return registrationBadge(registration->registration);
+}
+
+namespace {
+
+constexpr double inch = 0.0254, foot = 12 * inch; // exactly so since 1959
+
+std::atomic<UnitSystem> shown = UnitSystem::Millimetres;
+
+const std::array<QString, 3> &words()
+{
+    static const std::array<QString, 3> all{QStringLiteral("mm"), QStringLiteral("cm"), QStringLiteral("in")};
+    return all;
+}
+
+} // namespace
+
+UnitSystem unitSystemFromWord(const QString &word)
+{
+    for (std::size_t i = 0; i < words().size(); ++i) {
+        if (words()[i] == word)
+            return static_cast<UnitSystem>(i);
+    }
+    return UnitSystem::Millimetres;
+}
+
+QString unitSystemWord(UnitSystem system)
+{
+    return words()[static_cast<std::size_t>(system)];
+}
+
+const ShownUnits &unitsOf(UnitSystem system)
+{
+    static const std::array<ShownUnits, 3> all{{
+        {{QStringLiteral("mm"), 1000},
+         {QStringLiteral("m"), 1},
+         {QStringLiteral("m/s"), 1},
+         {QStringLiteral("m/s²"), 1}},
+        {{QStringLiteral("cm"), 100},
+         {QStringLiteral("cm"), 100},
+         {QStringLiteral("cm/s"), 100},
+         {QStringLiteral("cm/s²"), 100}},
+        {{QStringLiteral("in"), 1 / inch},
+         {QStringLiteral("ft"), 1 / foot},
+         {QStringLiteral("ft/s"), 1 / foot},
+         {QStringLiteral("ft/s²"), 1 / foot}},
+    }};
+    return all[static_cast<std::size_t>(system)];
+}
+
+UnitSystem shownUnitSystem()
+{
+    return shown;
+}
+
+void setShownUnitSystem(UnitSystem system)
+{
+    shown = system;
+}
+
+const ShownUnits &shownUnits()
+{
+    return unitsOf(shown);
+}
 
 namespace {
 
@@ -45,10 +144,11 @@ QString rounded(double value, int decimals, const QLocale &locale)
     return plain.toString(result, 'f', std::clamp(decimals, 0, mostDecimals));
 }
 
-FigureText shownFigure(double value, std::optional<double> sigma, const ShownUnit &unit, const QLocale &locale)
+FigureText shownFigure(double value, std::optional<double> sigma, const ShownUnit &unit,
+                       const QLocale &locale)
 {
-    return figureText(value * unit.perSi, sigma ? std::optional(*sigma * unit.perSi) : std::nullopt, unit.name,
-                      locale);
+    return figureText(value * unit.perSi, sigma ? std::optional(*sigma * unit.perSi) : std::nullopt,
+                      unit.name, locale);
 }
 
 } // namespace
@@ -205,6 +305,45 @@ QString distanceText(double metres, const QLocale &locale)
 QString speedText(double metresPerSecond, std::optional<double> sigma, const QLocale &locale)
 {
     return shownFigure(metresPerSecond, sigma, shownUnits().speed, locale).text();
+}
+
+namespace {
+
+/// The point or comma that parts thousands, where a text has it once and no decimal sign; empty in any other
+/// case.
+QString onlySign(const QString &text, const QLocale &locale)
+{
+    const QString sign = locale.groupSeparator();
+    const bool isPointOrComma = sign == QStringLiteral(".") || sign == QStringLiteral(",");
+    return isPointOrComma && text.count(sign) == 1 && !text.contains(locale.decimalPoint()) ? sign
+                                                                                            : QString();
+}
+
+} // namespace
+
+bool isReadTwoWays(const QString &text, const QLocale &locale)
+{
+    static const QRegularExpression thousands(QStringLiteral("^\\D*[1-9]\\d{0,2}[.,]\\d{3}(?!\\d)"));
+    return !onlySign(text, locale).isEmpty() && thousands.match(text).hasMatch();
+}
+
+QString withDecimalSign(QString text, const QLocale &locale)
+{
+    if (const QString sign = onlySign(text, locale); !sign.isEmpty() && !isReadTwoWays(text, locale))
+        text.replace(sign, locale.decimalPoint());
+    return text;
+}
+
+std::optional<double> typedNumber(const QString &text, const QLocale &locale)
+{
+    const QString bare = text.trimmed();
+    if (isReadTwoWays(bare, locale))
+        return std::nullopt;
+    bool read = false;
+    double number = locale.toDouble(withDecimalSign(bare, locale), &read);
+    if (!read)
+        number = QLocale::c().toDouble(bare, &read);
+    return read && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
 } // namespace odo

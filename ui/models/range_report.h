@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/trajectory/range_statistics.h"
+#include "core/analysis/range_statistics.h"
 #include "ui/models/background_task.h"
 #include "ui/models/trial_scene.h"
 

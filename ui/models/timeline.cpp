@@ -2,14 +2,73 @@
 #include "ui/models/timeline.h"
 
 #include "core/base/steady_now.h"
-#include "ui/models/held_key.h"
 
 #include <QAction>
+#include <QCoreApplication>
+#include <QKeyEvent>
+#include <QObject>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+class QAction;
+
 namespace odo {
+
+/// Whether the key of a command is being held down, so that other keys can mean something else meanwhile. The
+/// command itself runs as ever when the key goes down. GUI thread; needs the application.
+class HeldKey : public QObject
+{
+    Q_OBJECT
+public:
+    /// action: whose key it is, whatever key it has; must outlive this.
+    explicit HeldKey(const QAction &action, QObject *parent = nullptr);
+    bool isHeld() const { return m_isHeld; }
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    bool isItsKey(int key) const;
+
+    const QAction &m_action;
+    bool m_isHeld = false;
+};
+
+HeldKey::HeldKey(const QAction &action, QObject *parent) : QObject(parent), m_action(action)
+{
+    if (QCoreApplication *application = QCoreApplication::instance())
+        application->installEventFilter(this); // a shortcut's key goes to no widget
+}
+
+bool HeldKey::isItsKey(int key) const
+{
+    return std::ranges::any_of(m_action.shortcuts(), [key](const QKeySequence &keys) {
+        return keys.count() == 1 && keys[0].key() == key;
+    });
+}
+
+bool HeldKey::eventFilter(QObject *watched, QEvent *event)
+{
+    switch (event->type()) {
+    case QEvent::ShortcutOverride: // comes before the shortcut runs
+    case QEvent::KeyPress:
+        m_isHeld |= isItsKey(static_cast<QKeyEvent *>(event)->key());
+        break;
+    case QEvent::KeyRelease:
+        // A key that is held repeats as releases and presses.
+        if (const auto *key = static_cast<QKeyEvent *>(event); !key->isAutoRepeat() && isItsKey(key->key()))
+            m_isHeld = false;
+        break;
+    case QEvent::ApplicationStateChange:
+    case QEvent::WindowDeactivate: // its release would go elsewhere
+        m_isHeld = false;
+        break;
+    default:
+        break;
+    }
+    return QObject::eventFilter(watched, event);
+}
 
 namespace {
 
@@ -325,3 +384,5 @@ void Timeline::tick()
 }
 
 } // namespace odo
+
+#include "timeline.moc"

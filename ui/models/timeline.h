@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/time_span.h"
+#include "core/base/units.h"
 
 #include <QList>
 #include <QObject>

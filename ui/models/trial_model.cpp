@@ -3,10 +3,10 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/trial_scores.h"
+#include "core/workflow/compare/trial_figures.h"
 #include "ui/models/figure_text.h"
-#include "ui/models/score_text.h"
-#include "ui/models/shown_team.h"
+#include "ui/models/results.h"
+#include "ui/models/shown_names.h"
 
 #include <QCollator>
 #include <QDateTime>
@@ -16,6 +16,47 @@
 #include <unordered_map>
 
 namespace odo {
+
+namespace {
+
+TrialFilter::Place placeOf(const TrialRecord &trial, const TrialFilter &filter)
+{
+    if (trial.binned)
+        return TrialFilter::Place::Bin;
+    const bool isOfArchived = filter.className.empty() && filter.archivedClasses.contains(trial.className);
+    return trial.archived || isOfArchived ? TrialFilter::Place::Archived : TrialFilter::Place::Active;
+}
+
+} // namespace
+
+QString searchTextOf(const TrialRecord &trial)
+{
+    // A line break keeps what stands in two fields from being found as one word.
+    std::string words = trial.name + '\n' + trial.teamName + '\n' + trial.teamPseudonym + '\n' +
+                        trial.className + '\n' + trial.task + '\n' + trial.notes;
+    for (const std::string &robot : trial.robotNames)
+        words += '\n' + robot;
+    for (const std::string &tag : trial.tags)
+        words += '\n' + tag;
+    const QDateTime date = QDateTime::fromMSecsSinceEpoch(trial.date.time_since_epoch().count());
+    return (QString::fromStdString(words) + u'\n' + QLocale().toString(date, QLocale::ShortFormat)).toLower();
+}
+
+bool isShown(const TrialFilter &filter, const QStringList &words, const TrialRecord &trial,
+             const QString &searchText)
+{
+    if (placeOf(trial, filter) != filter.place || (filter.starred && !trial.starred))
+        return false;
+    if ((!filter.className.empty() && trial.className != filter.className) ||
+        (!filter.team.empty() && trial.teamName != filter.team) ||
+        (!filter.task.empty() && trial.task != filter.task))
+        return false;
+    if (!filter.robot.empty() && std::ranges::find(trial.robotNames, filter.robot) == trial.robotNames.end())
+        return false;
+    if ((filter.from && trial.date < *filter.from) || (filter.to && trial.date >= *filter.to))
+        return false;
+    return std::ranges::all_of(words, [&](const QString &word) { return searchText.contains(word); });
+}
 
 namespace {
 
@@ -54,7 +95,8 @@ QString withNumbersPadded(const QString &text)
 }
 
 /// Of each trial whose task is scored that of its best robot, if any has one.
-Result<std::unordered_map<RecordId, std::optional<Score>>> bestScores(Project &project, Instant from, Instant to)
+Result<std::unordered_map<RecordId, std::optional<Score>>> bestScores(Project &project, Instant from,
+                                                                      Instant to)
 {
     auto scores = trialScores(project, from, to);
     if (!scores)
@@ -349,7 +391,8 @@ Qt::ItemFlags TrialModel::flags(const QModelIndex &index) const
 
 QVariant TrialModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
-    if (orientation == Qt::Horizontal && section == StarColumn && (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole))
+    if (orientation == Qt::Horizontal && section == StarColumn &&
+        (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole))
         return tr("Star");
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
         return {};

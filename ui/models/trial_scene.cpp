@@ -4,12 +4,32 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/trajectory/view_clock.h"
-#include "core/workflow/imported_tracks.h"
-#include "core/workflow/registered_view.h"
+#include "core/workflow/trial_sources.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace odo {
+
+std::ptrdiff_t pointIndexAt(const Profile &profile, Nanoseconds time)
+{
+    const auto after =
+        std::upper_bound(profile.samples.begin(), profile.samples.end(), time,
+                         [](Nanoseconds wanted, const Sample &sample) { return wanted < sample.time; });
+    const std::ptrdiff_t index = (after - profile.samples.begin()) - 1;
+    return index >= 0 && profile.points[static_cast<std::size_t>(index)].valid ? index : -1;
+}
+
+std::optional<double> drivenHeadingAt(const Profile &profile, std::ptrdiff_t index)
+{
+    constexpr double standingMps = 0.05;
+    for (; index >= 0; --index) {
+        const ProfilePoint &point = profile.points[static_cast<std::size_t>(index)];
+        if (point.valid && point.speedMps > std::max(standingMps, 2 * point.sigmaSpeedMps))
+            return std::atan2(point.velocity.y(), point.velocity.x());
+    }
+    return std::nullopt;
+}
 
 namespace {
 
@@ -109,7 +129,8 @@ void findOcclusionsIn(TrialScene &scene)
     for (const SceneView &view : scene.views)
         views.push_back({view.camera, view.floorView ? &*view.floorView : nullptr, clockOf(view)});
     for (const SceneRobot &one : scene.robots) {
-        OcclusionRobot &robot = robots.emplace_back(OcclusionRobot{one.robot.name, one.analysis ? &one.analysis->profile : nullptr, {}});
+        OcclusionRobot &robot = robots.emplace_back(
+            OcclusionRobot{one.robot.name, one.analysis ? &one.analysis->profile : nullptr, {}});
         robot.observations.assign(one.observations.begin(), one.observations.end());
     }
     auto found = findOcclusions(views, robots);

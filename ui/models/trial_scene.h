@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/analysis/profile.h"
+#include "core/analysis/scoring.h"
 #include "core/base/error.h"
 #include "core/geometry/floor_view.h"
 #include "core/project/records.h"
 #include "core/trajectory/occlusions.h"
-#include "core/trajectory/scoring.h"
 
 #include <Eigen/Geometry>
 #include <QString>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -16,6 +18,13 @@
 #include <vector>
 
 namespace odo {
+
+/// The last point at or before a time; -1 before the first one, and where the profile does not know.
+std::ptrdiff_t pointIndexAt(const Profile &profile, Nanoseconds time);
+
+/// Direction of motion at a point, radians; while it stands, the one it had last. nullopt: it never moved
+/// before.
+std::optional<double> drivenHeadingAt(const Profile &profile, std::ptrdiff_t index);
 
 class Project;
 
@@ -37,7 +46,8 @@ struct SceneRobot
     RobotRecord robot;
     std::optional<AnalysisRecord> analysis;             ///< the newest; empty: not tracked yet
     std::vector<std::vector<Observation>> observations; ///< one list a view, in order of frames; may be empty
-    std::vector<Occlusion> occlusions;                  ///< when which view did not measure all of it, in order of time
+    /// when which view did not measure all of it, in order of time
+    std::vector<Occlusion> occlusions;
 };
 
 /// Everything that Review shows of one trial: an immutable value, made on the project's thread and safe to
@@ -47,13 +57,13 @@ struct TrialScene
     TrialRecord trial;
     std::vector<SceneView> views;
     std::vector<SceneRobot> robots;
-    std::optional<MarkerLayout> layout; ///< of the first registered view
-    std::optional<Task> task;           ///< that was to be driven
-    RecordId taskId = 0;                ///< of it; 0: none
-    std::vector<Criterion> scoring;     ///< of it; empty: it is not scored
+    std::optional<MarkerLayout> layout;  ///< of the first registered view
+    std::optional<Task> task;            ///< that was to be driven
+    RecordId taskId = 0;                 ///< of it; 0: none
+    std::vector<Criterion> scoring;      ///< of it; empty: it is not scored
     std::vector<ImportedTrack> imported; ///< where its tracks came from; empty: our own views measured them
-    std::vector<PointedOutRobot> pointedOut;   ///< by a person
-    std::vector<Nanoseconds> importedTimes;    ///< of all samples then, in order
+    std::vector<PointedOutRobot> pointedOut; ///< by a person
+    std::vector<Nanoseconds> importedTimes;  ///< of all samples then, in order
 
     /// Frame times of the first view, which is the time line of the trial; of imported tracks their times.
     const std::vector<Nanoseconds> &frameTimes() const;
@@ -66,7 +76,8 @@ struct TrialScene
     const Observation *observationAt(std::size_t view, std::size_t robot, std::int64_t frame) const;
     /// The robot's height over the floor that was used for its positions; 0 before an analysis.
     double heightM(std::size_t robot) const;
-    /// What its positions are of: forward and left from its footprint's centre. The centre for imported tracks.
+    /// What its positions are of: forward and left from its footprint's centre. The centre for imported
+    /// tracks.
     Eigen::Vector2d referenceM(std::size_t robot) const;
     /// The rectangle of the floor that matters: markers, the task and valid track points; a unit square where
     /// there are none.

@@ -4,20 +4,16 @@
 #include "core/base/steady_now.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "ui/models/shown_team.h"
-#include "ui/record/doctor_dialog.h"
-#include "ui/record/health_watch.h"
-#include "ui/record/live_board.h"
-#include "ui/record/live_scene.h"
-#include "ui/record/run_card.h"
-#include "ui/record/run_recorder.h"
-#include "ui/record/run_result_card.h"
-#include "ui/record/run_results.h"
-#include "ui/record/start_card.h"
-#include "ui/record/trouble_bar.h"
-#include "ui/views/command_names.h"
-#include "ui/views/empty_state.h"
-#include "ui/views/theme_icon.h"
+#include "ui/models/shown_names.h"
+#include "ui/record/internal/chosen_cameras.h"
+#include "ui/record/internal/health_watch.h"
+#include "ui/record/internal/live_board.h"
+#include "ui/record/internal/run_card.h"
+#include "ui/record/internal/run_recorder.h"
+#include "ui/record/internal/run_results.h"
+#include "ui/views/widgets/command_keys.h"
+#include "ui/views/widgets/empty_state.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -36,10 +32,9 @@ constexpr int columnWidth = 320;
 } // namespace
 
 RecordPage::RecordPage(Project &project, bool readOnly, CameraAccess access, QWidget *parent)
-    : QWidget(parent), m_project(project), m_cameras(project, std::move(access), this),
-      m_control(steadyNow), m_recorder(new RunRecorder(project.file(), this)),
-      m_troubleBar(new TroubleBar), m_start(new StartCard), m_run(new RunCard), m_result(new RunResultCard),
-      m_results(new RunResults(project, *m_result, this)),
+    : QWidget(parent), m_project(project), m_cameras(project, std::move(access), this), m_control(steadyNow),
+      m_recorder(new RunRecorder(project.file(), this)), m_troubleBar(new TroubleBar), m_start(new StartCard),
+      m_run(new RunCard), m_result(new RunResultCard), m_results(new RunResults(project, *m_result, this)),
       m_empty(new EmptyState(QStringLiteral("camera"), tr("No camera is connected"),
                              tr("Connect a camera, or two, and look again. One that is connected and not "
                                 "found is a case for the set-up doctor."))),

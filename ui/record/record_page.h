@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/workflow/run_control.h"
-#include "ui/record/chosen_cameras.h"
+#include "core/workflow/record/run_control.h"
+#include "ui/record/internal/chosen_cameras.h"
 #include "ui/record/sent_positions.h"
 
 #include <QTimer>
@@ -41,7 +41,8 @@ public:
     bool isRecording() const;
     /// Ends what is recorded, or about to be, and waits until the trial is complete in the project.
     void finishRecording();
-    /// Where live positions are sent may have been chosen anew; while a run goes on they stay where they were.
+    /// Where live positions are sent may have been chosen anew; while a run goes on they stay where they
+    /// were.
     void followNetwork();
     /// For menus: record or stop, cameras, set-up doctor.
     QList<QAction *> actions() const { return m_actions; }
@@ -82,7 +83,7 @@ private:
     ChosenCameras m_cameras;
     RunControl m_control;
     RunRecorder *m_recorder;
-    SentPositions m_sent; ///< as was chosen when robots began to be followed
+    SentPositions m_sent;           ///< as was chosen when robots began to be followed
     Nanoseconds m_followedSince{0}; ///< the robots that are chosen now
     bool m_isLineUpRead = false, m_isByPseudonym = false;
     int m_ticks = 0;

@@ -7,7 +7,8 @@
 namespace odo {
 namespace {
 
-const QString onKey = QStringLiteral("sslVision/on"), addressKey = QStringLiteral("sslVision/address"), portKey = QStringLiteral("sslVision/port"),
+const QString onKey = QStringLiteral("sslVision/on"), addressKey = QStringLiteral("sslVision/address"),
+              portKey = QStringLiteral("sslVision/port"),
               interfaceKey = QStringLiteral("sslVision/interface");
 
 } // namespace
@@ -18,10 +19,12 @@ SentPositions SentPositions::chosen()
     const BroadcastTarget usual;
     SentPositions sent;
     sent.isOn = settings.value(onKey, false).toBool();
-    sent.target.address = settings.value(addressKey, QString::fromStdString(usual.address)).toString().toStdString();
+    sent.target.address =
+        settings.value(addressKey, QString::fromStdString(usual.address)).toString().toStdString();
     const uint port = settings.value(portKey, usual.port).toUInt();
     sent.target.port = port > 0 && port <= 65535 ? static_cast<std::uint16_t>(port) : usual.port;
-    sent.target.interface = settings.value(interfaceKey, QString::fromStdString(usual.interface)).toString().toStdString();
+    sent.target.interface =
+        settings.value(interfaceKey, QString::fromStdString(usual.interface)).toString().toStdString();
     return sent;
 }
 

@@ -6,9 +6,9 @@
 #include "core/video/frame_stream.h"
 #include "core/video/picture.h"
 #include "core/video/video_writer.h"
-#include "ui/report/annotated_picture.h"
-#include "ui/views/screen_image.h"
-#include "ui/views/theme.h"
+#include "ui/report/internal/annotated_picture.h"
+#include "ui/views/picture/picture_painting.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QGuiApplication>
 
@@ -46,7 +46,10 @@ public:
     }
 
 private:
-    ViewFilm(std::unique_ptr<FrameStream> stream, QSize sizePx) : m_stream(std::move(stream)), m_sizePx(sizePx) {}
+    ViewFilm(std::unique_ptr<FrameStream> stream, QSize sizePx)
+        : m_stream(std::move(stream)), m_sizePx(sizePx)
+    {
+    }
 
     std::unique_ptr<FrameStream> m_stream;
     QSize m_sizePx;
@@ -77,7 +80,9 @@ bool AnnotatedVideoSettings::isSpeed(double speed)
 
 bool AnnotatedVideoSettings::isSize(QSize sizePx)
 {
-    const auto isLength = [](int px, int least, int most) { return px >= least && px <= most && px % 2 == 0; };
+    const auto isLength = [](int px, int least, int most) {
+        return px >= least && px <= most && px % 2 == 0;
+    };
     return isLength(sizePx.width(), 320, 3840) && isLength(sizePx.height(), 180, 2160);
 }
 
@@ -100,13 +105,15 @@ Result<void> AnnotatedVideoJob::prepare(Project &project)
                         " is odd, or not from 320x180 to 3840x2160",
                     "choose another, such as 1920x1080");
     if (!AnnotatedVideoSettings::isSpeed(m_settings.speed))
-        return fail(ErrorCode::InvalidInput, what(), "its speed is not from 0.1 to 1", "choose another, such as 0.25");
+        return fail(ErrorCode::InvalidInput, what(), "its speed is not from 0.1 to 1",
+                    "choose another, such as 0.25");
     auto scene = loadTrialScene(project, m_trial);
     if (!scene)
         return tl::unexpected(scene.error());
     m_scene = std::move(*scene);
     if (m_scene->frameTimes().empty())
-        return fail(ErrorCode::NotFound, what(), "the trial has no recording", "choose one that was recorded");
+        return fail(ErrorCode::NotFound, what(), "the trial has no recording",
+                    "choose one that was recorded");
     for (const SceneView &view : m_scene->views) {
         std::error_code problem;
         if (files::kindOf(view.file, problem) == files::Kind::Missing && !problem)
@@ -114,8 +121,8 @@ Result<void> AnnotatedVideoJob::prepare(Project &project)
                         "the recording of camera " + view.camera + " is not at '" + view.file.string() + "'",
                         "bring the file back to its place");
         if (problem)
-            return fail(ErrorCode::Io, "file '" + view.file.string() + "'", "it cannot be read (" + problem.message() + ")",
-                        "check that you may read the file");
+            return fail(ErrorCode::Io, "file '" + view.file.string() + "'",
+                        "it cannot be read (" + problem.message() + ")", "check that you may read the file");
         m_inputs.add(view.file);
     }
     m_font = QGuiApplication::font();
@@ -126,8 +133,8 @@ Result<void> AnnotatedVideoJob::run(const JobControl &control)
 {
     constexpr double floorPart = 0.05;
     control.report(0, "painting the floor");
-    AnnotatedPicture painter(m_scene, {m_settings.sizePx, m_settings.isDark ? darkPalette() : lightPalette(), m_font,
-                                       m_settings.speed});
+    AnnotatedPicture painter(m_scene, {m_settings.sizePx, m_settings.isDark ? darkPalette() : lightPalette(),
+                                       m_font, m_settings.speed});
     if (const int side = painter.floorSidePx(); side > 0)
         painter.setFloor(makeFloorPicture(*m_scene, painter.floorExtent(), side, control.cancel));
     const JobControl rest{control.cancel, [&](double fraction, const std::string &text) {
@@ -167,8 +174,8 @@ Result<void> AnnotatedVideoJob::writePictures(const JobControl &control, Annotat
         }
         const QImage picture = painter.paint(times[i], moments);
         const Nanoseconds at = fromSeconds(toSeconds(times[i] - times.front()) / m_settings.speed);
-        const Frame frame = fromScreen(reinterpret_cast<const std::uint32_t *>(picture.constBits()), picture.width(),
-                                       picture.height(), picture.bytesPerLine(), at);
+        const Frame frame = fromScreen(reinterpret_cast<const std::uint32_t *>(picture.constBits()),
+                                       picture.width(), picture.height(), picture.bytesPerLine(), at);
         if (auto written = (*writer)->write(frame); !written)
             return written;
         control.report(double(i + 1) / double(times.size()),

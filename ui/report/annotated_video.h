@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/files/output_guard.h"
+#include "core/files/output_file.h"
 #include "core/files/protected_files.h"
 #include "core/workflow/job.h"
 #include "ui/models/trial_scene.h"
@@ -20,20 +20,20 @@ struct AnnotatedVideoSettings
     static bool isSpeed(double speed); ///< from 0.1 to 1
     static bool isSize(QSize sizePx);  ///< even, from 320x180 to 3840x2160
 
-    OutputTarget target;        ///< .mp4, or .mkv
-    QSize sizePx{1920, 1080};   ///< even
-    double speed = 1;           ///< times the pace of the run; below 1 is slow motion
+    OutputTarget target;      ///< .mp4, or .mkv
+    QSize sizePx{1920, 1080}; ///< even
+    double speed = 1;         ///< times the pace of the run; below 1 is slow motion
     bool isDark = false;
 };
 
-/// The times of the first view that get a picture: all of its frames, and of a fast camera so many that no more than 60 are
-/// shown a second.
+/// The times of the first view that get a picture: all of its frames, and of a fast camera so many that no
+/// more than 60 are shown a second.
 std::vector<Nanoseconds> shownTimes(const std::vector<Nanoseconds> &frameTimes, double speed);
 
-/// Makes one video (H.264, 4:2:0) of a trial: all views with their overlays, the map and the speed, as AnnotatedPicture paints
-/// them; a picture for each of shownTimes. What
-/// fails or is cancelled leaves nothing, and an older file of that name as it was (OutputFile). Prepare on the GUI thread; needs a
-/// QGuiApplication. Errors: a size or speed out of range, a trial without videos, a video that is lost, those of VideoWriter.
+/// Makes one video (H.264, 4:2:0) of a trial: all views with their overlays, the map and the speed, as
+/// AnnotatedPicture paints them; a picture for each of shownTimes. What fails or is cancelled leaves nothing,
+/// and an older file of that name as it was (OutputFile). Prepare on the GUI thread; needs a QGuiApplication.
+/// Errors: a size or speed out of range, a trial without videos, a video that is lost, those of VideoWriter.
 class AnnotatedVideoJob : public Job
 {
 public:

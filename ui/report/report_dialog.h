@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/report/report_maker.h"
+#include "ui/models/background_task.h"
+#include "ui/report/internal/report_maker.h"
 #include "ui/report/report_settings.h"
 
 #include <QDialog>
+#include <QImage>
 #include <QList>
+#include <QScrollArea>
 #include <optional>
 
 class QCheckBox;
@@ -35,8 +38,8 @@ struct ReportChoices
     std::vector<std::string> figures; ///< the score first where a task is scored
 };
 
-/// Chooses what a report is made of and how, shows its pages, and says whether it is to be saved or printed. GUI
-/// thread; the pages are painted on another.
+/// Chooses what a report is made of and how, shows its pages, and says whether it is to be saved or printed.
+/// GUI thread; the pages are painted on another.
 class ReportDialog : public QDialog
 {
     Q_OBJECT
@@ -68,12 +71,51 @@ private:
     const QList<ReportSubject> m_subjects;
     const ReportChoices m_choices;
     ReportSettings m_settings;
-    QComboBox *m_subject = nullptr, *m_class = nullptr, *m_task = nullptr, *m_figure = nullptr, *m_paper = nullptr;
+    QComboBox *m_subject = nullptr, *m_class = nullptr, *m_task = nullptr, *m_figure = nullptr,
+              *m_paper = nullptr;
     QCheckBox *m_teams, *m_method;
     QLabel *m_remark;
     QPushButton *m_save, *m_print;
     ReportPreview *m_preview;
     QFormLayout *m_form = nullptr;
+};
+
+/// The first pages of a report as they will be printed, one below the other, as wide as there is room. They
+/// are made and painted on a thread of its own; what is overtaken by another report is not shown. Keys
+/// scroll. GUI thread.
+class ReportPreview : public QScrollArea
+{
+    Q_OBJECT
+public:
+    static constexpr std::size_t mostPages = 12;
+
+    /// projectFile: that must stay open meanwhile.
+    explicit ReportPreview(std::filesystem::path projectFile, QWidget *parent = nullptr);
+    ~ReportPreview() override; ///< waits for the page in work
+    void show(const ReportMaker &maker);
+    /// Shows nothing, and gives up what is being made.
+    void clear();
+    bool isSettled() const { return !m_reader.isRunning(); }
+    const QList<QImage> &pictures() const { return m_pictures; }
+
+Q_SIGNALS:
+    /// The pages are there, or why there are none (empty: they are). isAll: there are no further ones.
+    void made(const QString &failure, bool isAll);
+
+private:
+    class Sheets;
+    struct Made
+    {
+        QList<QImage> pictures;
+        bool isAll = true;
+    };
+    static Result<Made> make(Project &project, const ReportMaker &maker, const CancelToken &cancel);
+    void take(Result<Made> made);
+
+    CancelToken m_cancel; ///< of what is being made
+    ProjectReader m_reader;
+    QList<QImage> m_pictures;
+    Sheets *m_sheets;
 };
 
 } // namespace odo

@@ -1,10 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/report/report_page.h"
-#include "ui/report/trial_content.h"
+#include "ui/report/internal/report_page.h"
+#include "ui/report/internal/trial_content.h"
+
+#include <QStringList>
+
+class QPainter;
 
 namespace odo {
+
+/// By what a run was measured, for the foot of its page: a line for the views with their calibration,
+/// registration error, rate and lost frames, one for step, smoother and version. Empty lines are left out.
+QStringList provenanceLines(const TrialContent &content, std::size_t robot);
+
+/// Frames that are missing among the times of a view: a step of n intervals misses n − 1.
+int missingFrames(const std::vector<Nanoseconds> &times);
+
+/// The second page of a trial's report: how each large figure was computed, and a summary of what was
+/// measured.
+void paintMethodPage(QPainter &painter, const QRectF &sheet, const TrialContent &content, std::size_t robot,
+                     const Letterhead &letterhead);
 
 /// What all reports are told.
 struct ReportOptions

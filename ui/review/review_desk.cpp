@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/review_desk.h"
 
-#include "ui/views/camera_view.h"
-#include "ui/views/chart_area.h"
-#include "ui/views/chart_span.h"
-#include "ui/views/floor_map.h"
-#include "ui/views/profile_chart.h"
+#include "ui/views/charts/chart_span.h"
+#include "ui/views/charts/profile_chart.h"
+#include "ui/views/map/floor_map.h"
+#include "ui/views/picture/camera_view.h"
 
 #include <QAction>
 #include <QSettings>
@@ -95,7 +94,9 @@ void ReviewDesk::setViewCount(std::size_t count)
         view->setPointing(m_isPointing);
         connect(view, &CameraView::settled, this, &ReviewDesk::settled);
         connect(view, &CameraView::pointedAt, this,
-                [this, number = m_views.size()](const QPointF &pixel, const QPoint &global) { Q_EMIT pointedAt(number, pixel, global); });
+                [this, number = m_views.size()](const QPointF &pixel, const QPoint &global) {
+                    Q_EMIT pointedAt(number, pixel, global);
+                });
         m_views.push_back(view);
     }
 }
@@ -117,7 +118,8 @@ void ReviewDesk::setScene(const TrialScenePtr &scene)
 bool ReviewDesk::isSettled() const
 {
     return m_map->isSettled() && m_speed->isSettled() && m_acceleration->isSettled() &&
-           std::all_of(m_views.begin(), m_views.end(), [](const CameraView *view) { return view->isSettled(); });
+           std::all_of(m_views.begin(), m_views.end(),
+                       [](const CameraView *view) { return view->isSettled(); });
 }
 
 } // namespace odo

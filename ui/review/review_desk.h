@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/trajectory/quantity_curve.h"
+#include "core/analysis/quantity_curve.h"
 #include "ui/models/trial_scene.h"
-#include "ui/views/dock_desk.h"
+#include "ui/views/widgets/dock_desk.h"
 
 #include <QList>
 #include <optional>
@@ -30,7 +30,8 @@ public:
     /// A null scene clears.
     void setScene(const TrialScenePtr &scene);
     bool isSettled() const;
-    /// What charts, map and views show: more, less, all, against time or distance; the views' disagreement; the robots' silhouettes.
+    /// What charts, map and views show: more, less, all, against time or distance; the views' disagreement;
+    /// the robots' silhouettes.
     QList<QAction *> viewActions() const;
     /// What the charts show, from above.
     QList<Quantity> quantities() const;

@@ -3,20 +3,18 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "ui/models/project_reader.h"
-#include "ui/models/shown_team.h"
+#include "ui/models/background_task.h"
+#include "ui/models/shown_names.h"
 #include "ui/models/timeline.h"
-#include "ui/review/range_card.h"
+#include "ui/review/corrections.h"
+#include "ui/review/internal/range_card.h"
 #include "ui/review/review_column.h"
 #include "ui/review/review_desk.h"
-#include "ui/review/robot_pointing.h"
-#include "ui/review/spike_actions.h"
-#include "ui/review/trial_chooser.h"
-#include "ui/views/empty_state.h"
-#include "ui/views/page_keys.h"
-#include "ui/views/spike_list.h"
-#include "ui/views/theme_icon.h"
-#include "ui/views/timeline_bar.h"
+#include "ui/views/charts/timeline_bar.h"
+#include "ui/views/widgets/command_keys.h"
+#include "ui/views/widgets/empty_state.h"
+#include "ui/views/widgets/spike_list.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -48,8 +46,9 @@ struct ReviewPage::Reading
 
 ReviewPage::ReviewPage(Project &project, QWidget *parent)
     : QWidget(parent), m_project(project), m_reader(new ProjectReader(project.file(), this)),
-      m_timeline(new Timeline(this)), m_spikes(new SpikeActions(*m_timeline, this)), m_pointing(new RobotPointing(*m_timeline, this)),
-      m_stack(new QStackedWidget(this)), m_content(new QWidget(m_stack)), m_chooser(new TrialChooser),
+      m_timeline(new Timeline(this)), m_spikes(new SpikeActions(*m_timeline, this)),
+      m_pointing(new RobotPointing(*m_timeline, this)), m_stack(new QStackedWidget(this)),
+      m_content(new QWidget(m_stack)), m_chooser(new TrialChooser),
       m_desk(new ReviewDesk(*m_timeline, m_content)), m_timelineBar(new TimelineBar(*m_timeline, m_content)),
       m_column(new ReviewColumn(*m_timeline, m_chooser, m_content)),
       m_empty(new EmptyState(
@@ -76,7 +75,8 @@ ReviewPage::ReviewPage(Project &project, QWidget *parent)
 
     m_column->spikes().setActions(m_spikes->actions());
     connect(&m_column->spikes(), &SpikeList::robotChosen, m_spikes, &SpikeActions::setRobot);
-    for (QAction *action : m_timeline->actions() + m_desk->viewActions() + m_spikes->actions() + QList{m_pointing->action()}) {
+    for (QAction *action :
+         m_timeline->actions() + m_desk->viewActions() + m_spikes->actions() + QList{m_pointing->action()}) {
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
         addAction(action);
     }
@@ -91,7 +91,8 @@ ReviewPage::ReviewPage(Project &project, QWidget *parent)
     connect(m_desk, &ReviewDesk::settled, this, &ReviewPage::showSettled);
     connect(m_desk, &ReviewDesk::pointedAt, m_pointing, &RobotPointing::ask);
     connect(m_pointing->action(), &QAction::toggled, m_desk, &ReviewDesk::setPointing);
-    connect(m_desk, &ReviewDesk::quantitiesChanged, this, [this] { m_column->range().setQuantities(m_desk->quantities()); });
+    connect(m_desk, &ReviewDesk::quantitiesChanged, this,
+            [this] { m_column->range().setQuantities(m_desk->quantities()); });
     connect(&m_column->range(), &RangeCard::fitChanged, m_desk, &ReviewDesk::setFit);
     m_column->range().setQuantities(m_desk->quantities());
 }

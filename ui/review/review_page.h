@@ -21,8 +21,8 @@ class Timeline;
 class TimelineBar;
 class TrialChooser;
 
-/// Review: one trial, all its views, its map and curves under one time line, its figures at the right. What it
-/// shows is read on a thread of its own; a trial that another one was chosen instead of never appears. The
+/// Review: one trial, all its views, its map and curves under one time line, its figures at the right. What
+/// it shows is read on a thread of its own; a trial that another one was chosen instead of never appears. The
 /// project must outlive the page.
 class ReviewPage : public QWidget
 {

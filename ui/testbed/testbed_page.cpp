@@ -3,20 +3,18 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/registered_view.h"
-#include "ui/models/camera_list_model.h"
+#include "core/workflow/trial_sources.h"
+#include "ui/models/camera_lists.h"
 #include "ui/models/core_words.h"
-#include "ui/models/live_cameras.h"
 #include "ui/models/timeline.h"
 #include "ui/testbed/check/expected_accuracy.h"
-#include "ui/testbed/check_tools.h"
-#include "ui/testbed/testbed_state.h"
-#include "ui/testbed/testbed_tools.h"
-#include "ui/views/action_button.h"
-#include "ui/views/badge_delegate.h"
-#include "ui/views/camera_view.h"
-#include "ui/views/card.h"
-#include "ui/views/empty_state.h"
+#include "ui/testbed/internal/known_cameras.h"
+#include "ui/testbed/internal/testbed_tools.h"
+#include "ui/views/picture/camera_view.h"
+#include "ui/views/widgets/card.h"
+#include "ui/views/widgets/command_keys.h"
+#include "ui/views/widgets/empty_state.h"
+#include "ui/views/widgets/table_list.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -48,11 +46,12 @@ QHBoxLayout *buttonRow(const QList<QAction *> &actions)
 } // namespace
 
 TestbedPage::TestbedPage(Project &project, QWidget *parent)
-    : QWidget(parent), m_project(project), m_live(new LiveCameras(listCameras, this)), m_tools(new TestbedTools(project, *m_live, *this)),
-      m_checks(new CheckTools(project, *m_live, *this)), m_timeline(new Timeline(this)),
-      m_cameras(new CameraListModel(this)), m_table(new QTableView), m_layoutList(new QListWidget),
-      m_view(new CameraView(*m_timeline)), m_facts(new FactList), m_sketch(new FloorSketch),
-      m_sketchCard(new Card(tr("From above"))), m_showAccuracy(new QCheckBox(tr("expected &accuracy"))), m_accuracy(new AccuracyMaker(this)),
+    : QWidget(parent), m_project(project), m_live(new LiveCameras(listCameras, this)),
+      m_tools(new TestbedTools(project, *m_live, *this)), m_checks(new CheckTools(project, *m_live, *this)),
+      m_timeline(new Timeline(this)), m_cameras(new CameraListModel(this)), m_table(new QTableView),
+      m_layoutList(new QListWidget), m_view(new CameraView(*m_timeline)), m_facts(new FactList),
+      m_sketch(new FloorSketch), m_sketchCard(new Card(tr("From above"))),
+      m_showAccuracy(new QCheckBox(tr("expected &accuracy"))), m_accuracy(new AccuracyMaker(this)),
       m_empty(
           new EmptyState(QStringLiteral("testbed"), tr("No cameras yet"),
                          tr("A testbed is a floor with markers and the cameras that watch it. Begin with the "
@@ -89,9 +88,11 @@ TestbedPage::TestbedPage(Project &project, QWidget *parent)
     auto *contentLayout = new QHBoxLayout(content);
     contentLayout->setContentsMargins(8, 8, 8, 8);
     contentLayout->addWidget(splitter);
-    for (const TestbedTools::Tool tool : {TestbedTools::Calibrate, TestbedTools::NewLayout, TestbedTools::PrintTargets}) {
+    for (const TestbedTools::Tool tool :
+         {TestbedTools::Calibrate, TestbedTools::NewLayout, TestbedTools::PrintTargets}) {
         QAction *action = m_tools->action(tool);
-        QPushButton *button = m_empty->addButton(QStringLiteral("add"), action->text().remove(QLatin1Char('&')));
+        QPushButton *button =
+            m_empty->addButton(QStringLiteral("add"), action->text().remove(QLatin1Char('&')));
         connect(button, &QPushButton::clicked, action, &QAction::trigger);
     }
     m_stack->addWidget(content);
@@ -126,8 +127,9 @@ QWidget *TestbedPage::makeCameraCard()
     m_table->setTabKeyNavigation(false);
     m_table->setShowGrid(false);
     m_table->setColumnHidden(CameraListModel::VerdictColumn, true);
-    m_table->setItemDelegateForColumn(CameraListModel::RegistrationColumn,
-                                      new BadgeDelegate(CameraListModel::BadgeTextRole, CameraListModel::BadgeStateRole, this));
+    m_table->setItemDelegateForColumn(
+        CameraListModel::RegistrationColumn,
+        new BadgeDelegate(CameraListModel::BadgeTextRole, CameraListModel::BadgeStateRole, this));
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
@@ -148,9 +150,12 @@ QWidget *TestbedPage::makeCameraCard()
     contentLayout->addWidget(m_table);
     // Few beside one another: the column must leave room to the picture.
     const QList<QAction *> rows[] = {
-        {m_tools->action(TestbedTools::Calibrate), m_tools->action(TestbedTools::Register), m_tools->action(TestbedTools::ImportLens)},
-        {m_tools->action(TestbedTools::RegisterThrough), m_tools->action(TestbedTools::RegisterJointly), m_checks->action(CheckTools::Revisions)},
-        {m_checks->action(CheckTools::Moved), m_checks->action(CheckTools::Length), m_checks->action(CheckTools::Accuracy)}};
+        {m_tools->action(TestbedTools::Calibrate), m_tools->action(TestbedTools::Register),
+         m_tools->action(TestbedTools::ImportLens)},
+        {m_tools->action(TestbedTools::RegisterThrough), m_tools->action(TestbedTools::RegisterJointly),
+         m_checks->action(CheckTools::Revisions)},
+        {m_checks->action(CheckTools::Moved), m_checks->action(CheckTools::Length),
+         m_checks->action(CheckTools::Accuracy)}};
     for (const QList<QAction *> &row : rows)
         contentLayout->addLayout(buttonRow(row));
     auto *card = new Card(tr("Cameras"));
@@ -174,8 +179,9 @@ QWidget *TestbedPage::makeLayoutCard()
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(m_layoutList, 1);
-    layout->addLayout(buttonRow({m_tools->action(TestbedTools::NewLayout), m_tools->action(TestbedTools::ImportLayout),
-                                 m_tools->action(TestbedTools::PrintTargets)}));
+    layout->addLayout(
+        buttonRow({m_tools->action(TestbedTools::NewLayout), m_tools->action(TestbedTools::ImportLayout),
+                   m_tools->action(TestbedTools::PrintTargets)}));
     auto *card = new Card(tr("Marker layouts"));
     card->setContent(content);
     return card;
@@ -226,7 +232,10 @@ QString TestbedPage::currentCamera() const
     return m_table->currentIndex().data(CameraListModel::NameRole).toString();
 }
 
-QList<QAction *> TestbedPage::toolActions() const { return m_tools->actions() + m_checks->actions(); }
+QList<QAction *> TestbedPage::toolActions() const
+{
+    return m_tools->actions() + m_checks->actions();
+}
 
 void TestbedPage::tellTools()
 {
@@ -291,7 +300,8 @@ void TestbedPage::showLayout()
 
 void TestbedPage::showAccuracy(const ExpectedAccuracy &accuracy)
 {
-    const bool isShown = m_showAccuracy->isChecked() && m_layoutList->currentRow() >= 0 && accuracy.summary.seenPart > 0;
+    const bool isShown =
+        m_showAccuracy->isChecked() && m_layoutList->currentRow() >= 0 && accuracy.summary.seenPart > 0;
     m_sketch->setAccuracy(isShown ? std::optional(accuracy.map) : std::nullopt);
     m_sketchCard->setRemark(isShown ? shownWords(accuracy.summary.words) : QString());
     if (isSettled())

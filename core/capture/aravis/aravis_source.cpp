@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/aravis/aravis_source.h"
 
-#include "core/capture/aravis/aravis_controls.h"
-#include "core/capture/aravis/aravis_library.h"
-#include "core/capture/aravis/aravis_worker.h"
-#include "core/capture/aravis/gvcp.h"
+#include "core/capture/aravis/internal/aravis_controls.h"
+#include "core/capture/aravis/internal/aravis_library.h"
+#include "core/capture/aravis/internal/aravis_worker.h"
+#include "core/capture/aravis/internal/gvcp.h"
 
 #include <thread>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/simulation/motion.h"
+#include "core/simulation/internal/motion.h"
 #include "tests/acceptance/scenes/seeded_draw.h"
 
 namespace odo::test {

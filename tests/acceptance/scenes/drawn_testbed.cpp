@@ -37,7 +37,8 @@ FloorView cornerView(SeededDraw &draw, Corner corner, double lowestM = 1.85, dou
         const Eigen::Vector3d camera =
             mirrored(draw.between(-1.1, -0.5), draw.between(-1.75, -1.2), draw.between(lowestM, highestM));
         const Eigen::Vector3d lookAt = mirrored(draw.between(1.2, 1.6), draw.between(0.6, 1.0), 0);
-        return simulatedView(camera, lookAt, widthPx, heightPx, draw.between(860, 1020) * (lowestM < 1.5 ? 0.85 : 1));
+        return simulatedView(camera, lookAt, widthPx, heightPx,
+                             draw.between(860, 1020) * (lowestM < 1.5 ? 0.85 : 1));
     };
     return viewThat(drawn, {{0, 0}, {floorLengthM, 0}, {0, floorWidthM}, {floorLengthM, floorWidthM}});
 }

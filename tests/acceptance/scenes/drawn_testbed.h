@@ -22,7 +22,8 @@ SimulatedScene drawnTestbed(SeededDraw &draw, const Corners &corners);
 /// part up to some way over the middle, camera B the right part.
 SimulatedScene drawnHandOverTestbed(SeededDraw &draw);
 
-/// The same with its two cameras, at the near side, at other heights over the floor and with the focal lengths that see all markers from there.
+/// The same with its two cameras, at the near side, at other heights over the floor and with the focal
+/// lengths that see all markers from there.
 SimulatedScene drawnTestbedFrom(SeededDraw &draw, double lowestM, double highestM);
 
 /// Whether a point of the floor lies in the camera's picture, with a border.

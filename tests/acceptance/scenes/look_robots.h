@@ -8,7 +8,8 @@
 
 namespace odo::test {
 
-/// What stands in a classroom: robots of parts, most without a colour of their own. The origin is the middle of the footprint's bounding rectangle.
+/// What stands in a classroom: robots of parts, most without a colour of their own. The origin is the middle
+/// of the footprint's bounding rectangle.
 enum class Look {
     Vacuum,      ///< round, black, close to the floor
     Sphere,      ///< white

@@ -16,10 +16,14 @@ namespace {
 SharedMotion drawnWay(SeededDraw &draw)
 {
     switch (draw.whole(0, 3)) {
-    case 0: return drawnCircle(draw);
-    case 1: return drawnFigureEight(draw, draw.between(1.0, 1.4));
-    case 2: return drawnStopAndGo(draw);
-    default: return drawnWander(draw, 9, 0.9);
+    case 0:
+        return drawnCircle(draw);
+    case 1:
+        return drawnFigureEight(draw, draw.between(1.0, 1.4));
+    case 2:
+        return drawnStopAndGo(draw);
+    default:
+        return drawnWander(draw, 9, 0.9);
     }
 }
 
@@ -40,7 +44,9 @@ AccuracyScene withLook(SeededDraw &draw, Look look, const Corners &corners = nea
 
 void setLamp(AccuracyScene &scene, SeededDraw &draw, double strength)
 {
-    scene.scene.lamps = {Lamp{{draw.between(0.0, 3.0), draw.between(-0.3, 2.5), draw.between(2.2, 2.8)}, draw.between(0.08, 0.2), strength}};
+    scene.scene.lamps = {Lamp{{draw.between(0.0, 3.0), draw.between(-0.3, 2.5), draw.between(2.2, 2.8)},
+                              draw.between(0.08, 0.2),
+                              strength}};
 }
 
 AccuracyScene vacuum(SeededDraw &draw)
@@ -172,7 +178,11 @@ AccuracyScene lightDrifts(SeededDraw &draw)
 AccuracyScene sunComes(SeededDraw &draw)
 {
     AccuracyScene scene = withLook(draw, Look::Rover);
-    scene.scene.localLights = {{{draw.between(0.8, 2.2), draw.between(0.6, 1.6)}, draw.between(0.5, 0.9), draw.between(0.15, 0.25), draw.between(0, 2), 4}};
+    scene.scene.localLights = {{{draw.between(0.8, 2.2), draw.between(0.6, 1.6)},
+                                draw.between(0.5, 0.9),
+                                draw.between(0.15, 0.25),
+                                draw.between(0, 2),
+                                4}};
     return scene;
 }
 AccuracyScene lampIsLit(SeededDraw &draw)
@@ -214,7 +224,9 @@ SimulatedRobot passingPerson(SeededDraw &draw)
 }
 SimulatedRobot crossingBall(SeededDraw &draw)
 {
-    return rollingBall(makeLineMotion({draw.between(0.1, 0.5), draw.between(1.8, 2.1)}, {draw.between(2.5, 2.9), draw.between(0.1, 0.4)}, draw.between(1, 3), 4));
+    return rollingBall(makeLineMotion({draw.between(0.1, 0.5), draw.between(1.8, 2.1)},
+                                      {draw.between(2.5, 2.9), draw.between(0.1, 0.4)}, draw.between(1, 3),
+                                      4));
 }
 /// It comes in over the near side, stays and goes.
 SimulatedRobot passingHand(SeededDraw &draw)
@@ -223,7 +235,10 @@ SimulatedRobot passingHand(SeededDraw &draw)
     const double comesS = draw.between(0.5, 2), staysS = draw.between(0.3, 1.2);
     constexpr double rampS = 0.3, wayS = 1.4;
     return reachingHand(makeVelocityMotion(outside, std::numbers::pi / 2,
-                                           {{comesS, rampS, velocity}, {comesS + wayS, rampS, -velocity}, {comesS + wayS + staysS, rampS, -velocity}, {comesS + 2 * wayS + staysS, rampS, velocity}}));
+                                           {{comesS, rampS, velocity},
+                                            {comesS + wayS, rampS, -velocity},
+                                            {comesS + wayS + staysS, rampS, -velocity},
+                                            {comesS + 2 * wayS + staysS, rampS, velocity}}));
 }
 AccuracyScene personWalks(SeededDraw &draw)
 {
@@ -246,7 +261,8 @@ AccuracyScene handReachesIn(SeededDraw &draw)
 AccuracyScene twoPeople(SeededDraw &draw)
 {
     AccuracyScene scene = withLook(draw, Look::GreyRover);
-    scene.scene.bystanders = {passingPerson(draw), walkingPerson(makeLineMotion({3.0, -0.5}, {0.2, -0.45}, draw.between(1, 3), 4))};
+    scene.scene.bystanders = {
+        passingPerson(draw), walkingPerson(makeLineMotion({3.0, -0.5}, {0.2, -0.45}, draw.between(1, 3), 4))};
     setLamp(scene, draw, 0.3);
     return scene;
 }
@@ -277,7 +293,8 @@ AccuracyScene twoAlike(SeededDraw &draw)
     scene.scene.durationS = 10;
     const double phase = draw.between(0, 6.28), period = draw.between(5, 6);
     for (const int i : {0, 1}) {
-        SimulatedRobot robot = robotOfLook(Look::WhiteRover, makeEllipseMotion({1.5, 1.1}, 0.9, 0.5, period, phase + 3.14159 * i, 1.0));
+        SimulatedRobot robot = robotOfLook(
+            Look::WhiteRover, makeEllipseMotion({1.5, 1.1}, 0.9, 0.5, period, phase + 3.14159 * i, 1.0));
         robot.name += std::to_string(i + 1);
         addRobot(scene, draw, robot, false);
         scene.told.back().colour.clear();

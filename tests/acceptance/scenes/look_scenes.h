@@ -8,7 +8,8 @@
 
 namespace odo::test {
 
-/// Scenes with robots of any look, of which no colour is told: shapes, lights, floors, cameras, and what else moves.
+/// Scenes with robots of any look, of which no colour is told: shapes, lights, floors, cameras, and what else
+/// moves.
 const std::vector<std::pair<std::string, AccuracyScene (*)(SeededDraw &)>> &lookScenes();
 
 } // namespace odo::test

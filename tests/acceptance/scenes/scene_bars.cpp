@@ -71,7 +71,8 @@ void judgeSolids(Judge &judge)
 /// What is told of all scenes together, whatever their kind.
 void judgeTogether(Judge &judge, const AccuracySums &all, const std::vector<MeasuredScene> &scenes)
 {
-    const auto failed = std::ranges::count_if(scenes, [](const MeasuredScene &scene) { return !scene.problem.isEmpty(); });
+    const auto failed =
+        std::ranges::count_if(scenes, [](const MeasuredScene &scene) { return !scene.problem.isEmpty(); });
     judge.add(QStringLiteral("calls that failed"), double(failed), 0, 0);
     judge.add(QStringLiteral("truth in the 95 % interval, x, %"), 100 * all.share(all.insideX), 92, 98);
     judge.add(QStringLiteral("truth in the 95 % interval, y, %"), 100 * all.share(all.insideY), 92, 98);
@@ -92,7 +93,8 @@ std::vector<BarResult> judgeSolidScenes(const std::vector<MeasuredScene> &scenes
     judgeTogether(judge, all, scenes);
     // Or a good figure could be had by leaving the hard frames out.
     judge.add(QStringLiteral("frames without a position, %"),
-              all.frames > 0 ? 100.0 * double(all.frames - all.withPosition) / double(all.frames) : 100, 0, 2);
+              all.frames > 0 ? 100.0 * double(all.frames - all.withPosition) / double(all.frames) : 100, 0,
+              2);
     judge.add(QStringLiteral("truth in the 95 % interval, speed, %"), 100 * all.share(all.insideSpeed), 92,
               98);
     if (all.recall())
@@ -110,8 +112,10 @@ std::vector<BarResult> judgeSolidScenes(const std::vector<MeasuredScene> &scenes
 std::vector<BarResult> judgeLooks(const std::vector<MeasuredScene> &scenes)
 {
     Judge judge(scenes);
-    judge.rms(QStringLiteral("position RMS, size told, mm"), &AccuracySums::positionRmsMm, 3, [](const MeasuredScene &m) { return m.scene.sizeTold(); });
-    judge.rms(QStringLiteral("position RMS, size not told, mm"), &AccuracySums::positionRmsMm, 5, [](const MeasuredScene &m) { return !m.scene.sizeTold(); });
+    judge.rms(QStringLiteral("position RMS, size told, mm"), &AccuracySums::positionRmsMm, 3,
+              [](const MeasuredScene &m) { return m.scene.sizeTold(); });
+    judge.rms(QStringLiteral("position RMS, size not told, mm"), &AccuracySums::positionRmsMm, 5,
+              [](const MeasuredScene &m) { return !m.scene.sizeTold(); });
     const Pick every = [](const MeasuredScene &) { return true; };
     judge.rms(QStringLiteral("velocity RMS, mm/s"), &AccuracySums::velocityRmsMmS, 15, every);
     judge.rms(QStringLiteral("acceleration RMS, mm/s2"), &AccuracySums::accelerationRmsMmS2, 300, every);
@@ -120,14 +124,18 @@ std::vector<BarResult> judgeLooks(const std::vector<MeasuredScene> &scenes)
     for (const MeasuredScene &scene : scenes) {
         const AccuracySums sums = scene.sums();
         all += sums;
-        leastFound = std::min(leastFound, sums.frames > 0 ? double(sums.withPosition) / double(sums.frames) : 0);
+        leastFound =
+            std::min(leastFound, sums.frames > 0 ? double(sums.withPosition) / double(sums.frames) : 0);
         leastInside = std::min(leastInside, (sums.share(sums.insideX) + sums.share(sums.insideY)) / 2);
     }
     judgeTogether(judge, all, scenes);
-    judge.add(QStringLiteral("frames in which something else was taken for a robot"), double(all.elsewhere), 0, 0);
+    judge.add(QStringLiteral("frames in which something else was taken for a robot"), double(all.elsewhere),
+              0, 0);
     judge.add(QStringLiteral("truth in the 95 % interval, worst scene, %"), 100 * leastInside, 80, 100);
     judge.add(QStringLiteral("frames with a position, worst scene, %"), 100 * leastFound, 99.5, 100);
-    judge.add(QStringLiteral("false spikes in 1000 frames"), all.frames > 0 ? 1000.0 * double(all.flagged - all.justlyFlagged) / double(all.frames) : 0, 0, 1);
+    judge.add(QStringLiteral("false spikes in 1000 frames"),
+              all.frames > 0 ? 1000.0 * double(all.flagged - all.justlyFlagged) / double(all.frames) : 0, 0,
+              1);
     return judge.take();
 }
 

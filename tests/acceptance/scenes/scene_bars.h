@@ -18,7 +18,8 @@ struct BarResult
 
 /// Holds the measured scenes against what is demanded; a figure that no scene has is left out. Position,
 /// velocity and acceleration: of every scene by itself, the worst is told (a scene with one view counts for
-/// coverage only), and of all together. The rest: of all together. Scenes of robots of any look have bars of their own.
+/// coverage only), and of all together. The rest: of all together. Scenes of robots of any look have bars of
+/// their own.
 std::vector<BarResult> judge(const std::vector<MeasuredScene> &scenes);
 
 } // namespace odo::test

@@ -15,7 +15,8 @@ struct ToldRobot
     std::string name, colour, height, size;
 };
 
-/// Which bars hold: those of the plain scenes of coloured solids, those of such with spikes, occlusion or several robots, or those of robots of any look.
+/// Which bars hold: those of the plain scenes of coloured solids, those of such with spikes, occlusion or
+/// several robots, or those of robots of any look.
 enum class SceneKind { Plain, Hard, Look };
 
 /// One simulated recording with known truth, and what the program is told of it.

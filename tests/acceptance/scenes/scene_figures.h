@@ -20,10 +20,12 @@ struct AccuracySums
     long insideX = 0, insideY = 0, insideSpeed = 0;       ///< of withPosition: truth within 1.96 sigma
     double sigmaSumMm = 0;                                ///< of sigma x and y, over withPosition
     long trueSpikes = 0, foundSpikes = 0; ///< raw place more than 20 mm off; those that are flagged
-    long flagged = 0, justlyFlagged = 0;  ///< flagged frames; those with a raw place more than 4 mm off, or disturbed
-    long disturbed = 0;                   ///< frames with a reflection or a board near the robot
+    /// flagged frames; those with a raw place more than 4 mm off, or disturbed
+    long flagged = 0, justlyFlagged = 0;
+    long disturbed = 0; ///< frames with a reflection or a board near the robot
     long hiddenInOneView = 0, hiddenWithPosition = 0;
-    long elsewhere = 0; ///< raw places farther from the truth than any part of a robot: something else was taken for it
+    /// raw places farther from the truth than any part of a robot: something else was taken for it
+    long elsewhere = 0;
     long exchanges = 0; ///< more than three frames on end nearer to another robot's truth
 
     AccuracySums &operator+=(const AccuracySums &other);

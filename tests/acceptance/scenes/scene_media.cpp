@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/acceptance/scenes/scene_media.h"
 
-#include "core/exchange/layout_csv.h"
+#include "core/exchange/labelled_points.h"
 #include "core/files/output_file.h"
-#include "core/simulation/board_poses.h"
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
 #include "tests/acceptance/scenes/scene_recipe.h"
@@ -61,7 +60,8 @@ Result<void> writeTruth(const AccuracyScene &scene, const SceneMedia &media)
         text << "t_s,x_mm,y_mm,heading_deg\n";
         for (std::int64_t frame = 0; frame < frameCount(scene.scene, 0); ++frame) {
             const MotionState state = robot.motion->at(frameSceneTime(scene.scene, 0, frame));
-            text << toSeconds(frameStamp(scene.scene, 0, frame)) << ',' << 1000 * state.position.x() << ',' << 1000 * state.position.y() << ',' << state.headingRad * 180 / std::numbers::pi << '\n';
+            text << toSeconds(frameStamp(scene.scene, 0, frame)) << ',' << 1000 * state.position.x() << ','
+                 << 1000 * state.position.y() << ',' << state.headingRad * 180 / std::numbers::pi << '\n';
         }
         if (auto written = writeOutput(media.truth(robot), text.str()); !written)
             return written;

@@ -19,8 +19,12 @@ struct SceneMedia
     }
     std::filesystem::path board(const SimulatedCamera &camera, int number) const;
     std::filesystem::path layout() const { return folder / "layout.csv"; }
-    /// Where a robot truly was, at the stamps of the first camera's frames: for people who look into a figure.
-    std::filesystem::path truth(const SimulatedRobot &robot) const { return folder / ("truth_" + robot.name + ".csv"); }
+    /// Where a robot truly was, at the stamps of the first camera's frames: for people who look into a
+    /// figure.
+    std::filesystem::path truth(const SimulatedRobot &robot) const
+    {
+        return folder / ("truth_" + robot.name + ".csv");
+    }
 };
 
 constexpr int boardPictures = 14;

@@ -165,7 +165,8 @@ private:
         return true;
     }
 
-    /// Names that are the program's own choice, among robots of no colour, are those of the robots that they fit best.
+    /// Names that are the program's own choice, among robots of no colour, are those of the robots that they
+    /// fit best.
     std::optional<AccuracySums> comparedWith(const QByteArray &csv, std::size_t robot) const
     {
         if (!m_out.scene.told[robot].colour.empty())
@@ -188,7 +189,8 @@ private:
                        name}))
                 return false;
             QFile csv(file);
-            const auto sums = csv.open(QIODevice::ReadOnly) ? comparedWith(csv.readAll(), robot) : std::nullopt;
+            const auto sums =
+                csv.open(QIODevice::ReadOnly) ? comparedWith(csv.readAll(), robot) : std::nullopt;
             if (!sums) {
                 m_out.problem = file + s(": not the table that is promised");
                 return false;

@@ -45,7 +45,8 @@ void addRobot(Recipe &recipe, const SimulatedRobot &robot, double durationS)
     recipe.line("robot", robot.name, robot.colour.toString(), static_cast<int>(robot.shape), robot.lengthM,
                 robot.widthM, robot.heightM);
     for (const RobotPart &part : robot.parts)
-        recipe.line("part", static_cast<int>(part.shape), part.colour.toString(), part.centreM.transpose(), part.sizeM.transpose());
+        recipe.line("part", static_cast<int>(part.shape), part.colour.toString(), part.centreM.transpose(),
+                    part.sizeM.transpose());
     for (double t = 0; t < durationS; t += 0.25) {
         const MotionState state = robot.motion->at(t);
         recipe.line("at", state.position.transpose(), state.headingRad);
@@ -71,11 +72,13 @@ std::string recipeOf(const AccuracyScene &scene)
         addRobot(recipe, robot, s.durationS);
     for (const SimulatedRobot &bystander : s.bystanders)
         addRobot(recipe, bystander, s.durationS);
-    recipe.line("floor", s.floor.colour.toString(), s.floor.tileM, s.floor.textureAmplitude, s.floor.gloss, s.floor.shadowStrength);
+    recipe.line("floor", s.floor.colour.toString(), s.floor.tileM, s.floor.textureAmplitude, s.floor.gloss,
+                s.floor.shadowStrength);
     for (const Lamp &lamp : s.lamps)
         recipe.line("lamp", lamp.positionM.transpose(), lamp.radiusM, lamp.strength);
     for (const LocalLight &light : s.localLights)
-        recipe.line("sun", light.position.transpose(), light.radiusM, light.strength, light.startS, light.rampS);
+        recipe.line("sun", light.position.transpose(), light.radiusM, light.strength, light.startS,
+                    light.rampS);
     for (const Reflection &spot : s.reflections)
         recipe.line("reflection", spot.colour.toString(), spot.position.transpose(), spot.radiusM,
                     spot.startS, spot.durationS, spot.camera);

@@ -10,7 +10,8 @@
 using namespace odo::test;
 
 /// The accuracy that is demanded, on scenes with known truth, through the command line: the seeds of the
-/// environment's ODOGRAPH_SCENE_SEEDS (1), of solids of one colour or, with ODOGRAPH_SCENE_LOOKS, of robots of any look.
+/// environment's ODOGRAPH_SCENE_SEEDS (1), of solids of one colour or, with ODOGRAPH_SCENE_LOOKS, of robots
+/// of any look.
 class TestScenes : public QObject
 {
     Q_OBJECT
@@ -21,14 +22,16 @@ class TestScenes : public QObject
 
     static QStringList seeds()
     {
-        return qEnvironmentVariable("ODOGRAPH_SCENE_SEEDS", QStringLiteral("1")).split(u',', Qt::SkipEmptyParts);
+        return qEnvironmentVariable("ODOGRAPH_SCENE_SEEDS", QStringLiteral("1"))
+            .split(u',', Qt::SkipEmptyParts);
     }
 
     static std::vector<AccuracyScene> allScenes()
     {
         std::vector<AccuracyScene> scenes;
         const bool looks = qEnvironmentVariableIsSet("ODOGRAPH_SCENE_LOOKS");
-        for (const SceneKind kind : looks ? std::vector{SceneKind::Look} : std::vector{SceneKind::Plain, SceneKind::Hard})
+        for (const SceneKind kind :
+             looks ? std::vector{SceneKind::Look} : std::vector{SceneKind::Plain, SceneKind::Hard})
             for (const std::string &name : sceneNames(kind))
                 for (const QString &seed : seeds())
                     scenes.push_back(makeScene(name, seed.toUInt()));
@@ -53,9 +56,9 @@ class TestScenes : public QObject
     /// What one seed is too few to tell is not asked of it.
     static bool isMetByOneSeed(const BarResult &bar)
     {
-        // The errors of markers and lens are drawn once for a run, so that a run counts nearly as one draw: among 27 of them
-        // the share of those inside scatters by four in the hundred, and only the lower bar says anything, when it is lowered
-        // by twice that.
+        // The errors of markers and lens are drawn once for a run, so that a run counts nearly as one draw:
+        // among 27 of them the share of those inside scatters by four in the hundred, and only the lower bar
+        // says anything, when it is lowered by twice that.
         constexpr double leastInside = 84;
         // One seed has some fourteen samples flagged: of so many one may be wrong.
         constexpr double leastPrecision = 0.9;
@@ -96,7 +99,8 @@ private Q_SLOTS:
     {
         QTest::addColumn<bool>("isMet");
         for (const BarResult &bar : m_bars)
-            QTest::newRow(qPrintable(bar.figure)) << (seeds().size() == 1 ? isMetByOneSeed(bar) : bar.isMet());
+            QTest::newRow(qPrintable(bar.figure))
+                << (seeds().size() == 1 ? isMetByOneSeed(bar) : bar.isMet());
     }
     void theBarIsMet()
     {

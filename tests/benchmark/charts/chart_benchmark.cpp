@@ -4,9 +4,9 @@
 #include "tests/benchmark/figures.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/timeline.h"
-#include "ui/views/chart_span.h"
-#include "ui/views/profile_chart.h"
-#include "ui/views/theme.h"
+#include "ui/views/charts/chart_span.h"
+#include "ui/views/charts/profile_chart.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QApplication>
 #include <QFile>
@@ -39,7 +39,8 @@ double panMs(ChartSpan &span, ProfileChart &speed, ProfileChart &acceleration, d
     return median(times);
 }
 
-/// CPU time of the longest turn of the event loop from when a scene is given to both charts until both have painted it, in ms.
+/// CPU time of the longest turn of the event loop from when a scene is given to both charts until both have
+/// painted it, in ms.
 double longestTurnMs(ProfileChart &speed, ProfileChart &acceleration, const TrialScenePtr &scene)
 {
     double longest = 0;
@@ -70,7 +71,8 @@ int main(int argc, char **argv)
     Timeline timeline;
     ChartSpan span(timeline);
     timeline.setFrameTimes(scene->frameTimes());
-    ProfileChart speed(timeline, span, {Quantity::Speed}), acceleration(timeline, span, {Quantity::Acceleration});
+    ProfileChart speed(timeline, span, {Quantity::Speed}),
+        acceleration(timeline, span, {Quantity::Acceleration});
     for (ProfileChart *chart : {&speed, &acceleration}) {
         chart->resize(chartSize);
         chart->show();
@@ -78,12 +80,20 @@ int main(int argc, char **argv)
     QCoreApplication::processEvents();
     const double shownMs = longestTurnMs(speed, acceleration, scene);
     constexpr double frameMs = 1000.0 / 30;
-    std::vector<Figure> figures{{QStringLiteral("an hour shown, longest work on the window's thread"), shownMs, std::nullopt, 50.0, QStringLiteral("ms"), {}}};
+    std::vector<Figure> figures{{QStringLiteral("an hour shown, longest work on the window's thread"),
+                                 shownMs,
+                                 std::nullopt,
+                                 50.0,
+                                 QStringLiteral("ms"),
+                                 {}}};
     for (const double share : {0.5, 0.05, 0.005}) {
         const double ms = panMs(span, speed, acceleration, share);
-        figures.push_back({QStringLiteral("two charts panned, %1 of an hour visible").arg(share), ms, std::nullopt, frameMs,
-                           QStringLiteral("ms"), QStringLiteral("%1 frames/s").arg(1000 / ms, 0, 'f', 0)});
+        figures.push_back({QStringLiteral("two charts panned, %1 of an hour visible").arg(share), ms,
+                           std::nullopt, frameMs, QStringLiteral("ms"),
+                           QStringLiteral("%1 frames/s").arg(1000 / ms, 0, 'f', 0)});
     }
     QTextStream(stdout) << figuresTable(figures);
-    return std::all_of(figures.begin(), figures.end(), [](const Figure &figure) { return figure.isMet(); }) ? 0 : 1;
+    return std::all_of(figures.begin(), figures.end(), [](const Figure &figure) { return figure.isMet(); })
+               ? 0
+               : 1;
 }

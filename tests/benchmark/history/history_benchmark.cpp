@@ -119,7 +119,7 @@ Result<std::filesystem::path> yearProject(const std::filesystem::path &folder, i
     return makeYearProject(folder, trials);
 }
 
-Figure figure(const QString &name, const std::vector<double> &times, double atMost)
+test::Figure figure(const QString &name, const std::vector<double> &times, double atMost)
 {
     return {name,
             *std::max_element(times.begin(), times.end()),
@@ -129,9 +129,9 @@ Figure figure(const QString &name, const std::vector<double> &times, double atMo
             QStringLiteral("longest of %1, median %2 ms").arg(times.size()).arg(median(times), 0, 'f', 1)};
 }
 
-std::vector<Figure> measure(const std::filesystem::path &file, int trials)
+std::vector<test::Figure> measure(const std::filesystem::path &file, int trials)
 {
-    std::vector<Figure> figures;
+    std::vector<test::Figure> figures;
     QElapsedTimer timer;
     timer.start();
     MainWindow window;
@@ -172,8 +172,8 @@ std::vector<Figure> measure(const std::filesystem::path &file, int trials)
         settle(window);
         endPhase(name);
     }
-    figures.push_back({QStringLiteral("longest that the window's thread was busy (CPU)"), longest, std::nullopt,
-                       mostBusyMs, QStringLiteral(" ms"), phases.join(QStringLiteral(", "))});
+    figures.push_back({QStringLiteral("longest that the window's thread was busy (CPU)"), longest,
+                       std::nullopt, mostBusyMs, QStringLiteral(" ms"), phases.join(QStringLiteral(", "))});
     return figures;
 }
 
@@ -192,7 +192,8 @@ int main(int argc, char **argv)
                       QStringLiteral("N"), QStringLiteral("10000")});
     parser.addOption({QStringLiteral("folder"), QStringLiteral("Where the project is made (3.6 GB)."),
                       QStringLiteral("DIR")});
-    parser.addOption({QStringLiteral("keep"), QStringLiteral("Leaves the project in the folder, and uses the one that is there.")});
+    parser.addOption({QStringLiteral("keep"),
+                      QStringLiteral("Leaves the project in the folder, and uses the one that is there.")});
     parser.addOption(
         {QStringLiteral("json"), QStringLiteral("A file for the figures."), QStringLiteral("FILE")});
     parser.process(app);
@@ -206,7 +207,7 @@ int main(int argc, char **argv)
         print(QString::fromStdString(file.error().message()));
         return 1;
     }
-    const std::vector<Figure> figures = measure(*file, trials);
+    const std::vector<test::Figure> figures = measure(*file, trials);
     print(figuresTable(figures));
     if (parser.isSet(QStringLiteral("json"))) {
         QFile json(parser.value(QStringLiteral("json")));
@@ -216,7 +217,7 @@ int main(int argc, char **argv)
             return 1;
     }
     return !figures.empty() && std::all_of(figures.begin(), figures.end(),
-                                           [](const Figure &each) { return each.isMet(); })
+                                           [](const test::Figure &each) { return each.isMet(); })
                ? 0
                : 1;
 }

@@ -2,11 +2,10 @@
 #include "tests/benchmark/live/jpeg_camera.h"
 
 #include "core/base/steady_now.h"
-#include "core/capture/pace.h"
-#include "core/capture/v4l2/v4l2_pictures.h"
+#include "core/capture/internal/stand_in_source.h"
+#include "core/capture/v4l2/internal/v4l2_pictures.h"
 #include "core/simulation/renderer.h"
-#include "core/video/jpeg_encoder.h"
-#include "core/video/jpeg_file.h"
+#include "core/video/jpeg.h"
 
 #include <linux/videodev2.h>
 

@@ -51,7 +51,8 @@ Result<LiveMeasurement> measure(const Setup &setup, const SimulatedScene &scene,
                                 GigeServers *servers)
 {
     const QTemporaryDir scratch(folder + QStringLiteral("/live-XXXXXX"));
-    const auto project = makeLiveProject(scratch.filePath(QStringLiteral("live.odo")).toStdString(), scene, setup.robot == LiveRobot::Coloured);
+    const auto project = makeLiveProject(scratch.filePath(QStringLiteral("live.odo")).toStdString(), scene,
+                                         setup.robot == LiveRobot::Coloured);
     if (!project)
         return tl::unexpected(project.error());
     LiveRig rig(**project, setup.open, setup.uris, setup.window);
@@ -82,7 +83,8 @@ Result<LiveMeasurement> measureGige(int widthPx, double framesPerSecond, double 
     return measure(setup, liveScene(widthPx, framesPerSecond).scene, folder, &servers);
 }
 
-Result<LiveMeasurement> measureWebcams(LiveWindow window, LiveRobot robot, double seconds, const QString &folder)
+Result<LiveMeasurement> measureWebcams(LiveWindow window, LiveRobot robot, double seconds,
+                                       const QString &folder)
 {
     const LiveScene live = liveScene(hdWidthPx, webcamRate, robot);
     std::map<std::string, JpegPictures> pictures;
@@ -182,7 +184,8 @@ Order orderFrom(const QApplication &app)
     option("json", "A file for the figures.", QString());
     option("seconds", "How long the two cameras of 60 frames/s are recorded.", QStringLiteral("600"));
     option("short", "How long each of the others is.", QStringLiteral("30"));
-    option("parts", "Which are measured, of gige, webcams, any-look, full-hd.", QStringLiteral("gige,webcams,any-look,full-hd"));
+    option("parts", "Which are measured, of gige, webcams, any-look, full-hd.",
+           QStringLiteral("gige,webcams,any-look,full-hd"));
     parser.process(app);
     const auto value = [&](const char *name) { return parser.value(QString::fromLatin1(name)); };
     return {value("folder"), value("json"), std::max(5.0, value("seconds").toDouble()),
@@ -218,11 +221,13 @@ bool measureAll(const Order &order, std::vector<Figure> &figures)
     }
     if (order.parts.contains(QStringLiteral("any-look")) &&
         !take(QStringLiteral("MJPEG, no window, a robot of any look"),
-              measureWebcams(LiveWindow::Hidden, LiveRobot::AnyLook, order.shortS, order.folder), {true, true, false, mostCoresOfAnyLook}))
+              measureWebcams(LiveWindow::Hidden, LiveRobot::AnyLook, order.shortS, order.folder),
+              {true, true, false, mostCoresOfAnyLook}))
         return false;
     constexpr std::array rates{30.0, 40.0, 50.0, 60.0};
     return !order.parts.contains(QStringLiteral("full-hd")) || std::ranges::all_of(rates, [&](double rate) {
-        return take(QStringLiteral("GigE, 1920x1080, %1/s").arg(rate), measureGige(fullHdWidthPx, rate, order.shortS, order.folder), {});
+        return take(QStringLiteral("GigE, 1920x1080, %1/s").arg(rate),
+                    measureGige(fullHdWidthPx, rate, order.shortS, order.folder), {});
     });
 }
 

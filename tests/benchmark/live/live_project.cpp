@@ -6,8 +6,8 @@
 
 namespace odo::test {
 
-Result<std::unique_ptr<Project>> makeLiveProject(const std::filesystem::path &file, const SimulatedScene &scene,
-                                                 bool isColourGiven)
+Result<std::unique_ptr<Project>> makeLiveProject(const std::filesystem::path &file,
+                                                 const SimulatedScene &scene, bool isColourGiven)
 {
     auto project = Project::create(file, "Live");
     if (!project)
@@ -16,7 +16,8 @@ Result<std::unique_ptr<Project>> makeLiveProject(const std::filesystem::path &fi
     if (!layout)
         return tl::unexpected(layout.error());
     for (const SimulatedCamera &camera : scene.cameras) {
-        if (const auto stored = registerSimulatedCamera(**project, camera, scene.floor.markers, layout->id); !stored)
+        if (const auto stored = registerSimulatedCamera(**project, camera, scene.floor.markers, layout->id);
+            !stored)
             return tl::unexpected(stored.error());
     }
     for (const SimulatedRobot &robot : scene.robots) {

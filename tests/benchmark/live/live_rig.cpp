@@ -6,8 +6,8 @@
 #include "core/project/repositories.h"
 #include "core/video/video_reader.h"
 #include "tests/benchmark/cpu_clock.h"
-#include "ui/record/live_map.h"
-#include "ui/record/live_scene.h"
+#include "ui/record/internal/chosen_cameras.h"
+#include "ui/record/internal/live_board.h"
 
 #include <QElapsedTimer>
 #include <QEvent>

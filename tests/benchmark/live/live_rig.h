@@ -2,9 +2,9 @@
 #pragma once
 
 #include "tests/benchmark/live/live_measurement.h"
-#include "ui/record/live_board.h"
-#include "ui/record/run_recorder.h"
-#include "ui/record/running_cameras.h"
+#include "ui/record/internal/live_board.h"
+#include "ui/record/internal/run_recorder.h"
+#include "ui/record/internal/running_cameras.h"
 
 #include <QApplication>
 #include <QTimer>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/capture/camera_source.h"
-#include "tests/support/patience.h"
 #include "tests/support/gige/raw_painters.h"
+#include "tests/support/patience.h"
 
 #include <QTest>
 

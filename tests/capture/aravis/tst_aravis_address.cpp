@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/aravis/aravis_address.h"
-#include "core/capture/aravis/aravis_session.h"
-#include "core/capture/aravis/camera_time_scale.h"
+#include "core/capture/aravis/internal/aravis_session.h"
+#include "core/capture/aravis/internal/camera_time_scale.h"
 #include "tests/support/registered_test.h"
 
 #include <QTest>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What can be set at a GigE camera, and how its automatics are held.
-#include "frame_taker.h"
+#include "tests/capture/aravis/frame_taker.h"
 #include "tests/support/registered_test.h"
 
 using namespace odo;

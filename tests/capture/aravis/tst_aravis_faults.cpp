@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // GigE cameras that are unplugged, freeze, are exchanged, come back, or belong to another program.
 #include "core/capture/capture_session.h"
-#include "frame_taker.h"
+#include "tests/capture/aravis/frame_taker.h"
 #include "tests/support/registered_test.h"
 
 #include <arpa/inet.h>

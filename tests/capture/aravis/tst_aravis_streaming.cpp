@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of simulated GigE cameras as they come through Aravis: what is in them, what is missing, how the
 // camera is set.
-#include "core/capture/aravis/gvcp.h"
-#include "frame_taker.h"
+#include "core/capture/aravis/internal/gvcp.h"
+#include "tests/capture/aravis/frame_taker.h"
 #include "tests/support/registered_test.h"
 
 #include <algorithm>
@@ -260,7 +260,8 @@ void TestAravisStreaming::triggeredCamerasSeeTheSameMoments()
     std::ranges::sort(apartMs);
     QVERIFY(apartMs.size() >= 20);
     // 0.1 ms on a machine at rest; free-running cameras would be up to 20 ms apart.
-    QVERIFY2(apartMs[apartMs.size() / 2] < 3 * slowness, qPrintable(QString::number(apartMs[apartMs.size() / 2])));
+    QVERIFY2(apartMs[apartMs.size() / 2] < 3 * slowness,
+             qPrintable(QString::number(apartMs[apartMs.size() / 2])));
     QVERIFY(a.triggered >= 25);
 }
 

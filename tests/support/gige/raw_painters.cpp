@@ -73,7 +73,8 @@ RgbColour colourAt(const Frame &frame, int x, int y)
 SimulatedGigeCamera::Painter codedPainter(RgbColour below)
 {
     // What is the same in all pictures is painted once.
-    return [below, still = std::vector<std::uint8_t>()](const Exposure &exposure, std::span<std::uint8_t> pixels) mutable {
+    return [below, still = std::vector<std::uint8_t>()](const Exposure &exposure,
+                                                        std::span<std::uint8_t> pixels) mutable {
         if (still.size() != pixels.size()) {
             still.resize(pixels.size());
             Canvas canvas(exposure, still);

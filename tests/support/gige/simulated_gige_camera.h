@@ -52,7 +52,8 @@ public:
         std::chrono::milliseconds heartbeat{3000};
         unsigned seed = 1;
     };
-    /// Paints raw pixels; called in the camera's own thread. Pixel format and size are the same as long as the camera streams.
+    /// Paints raw pixels; called in the camera's own thread. Pixel format and size are the same as long as
+    /// the camera streams.
     using Painter = std::function<void(const Exposure &, std::span<std::uint8_t>)>;
 
     SimulatedGigeCamera(Settings settings, Painter painter);

@@ -6,16 +6,14 @@
 #include "tests/ui/support/example_scene.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/compare/compare_desk.h"
-#include "ui/compare/compare_map.h"
 #include "ui/compare/compare_page.h"
-#include "ui/compare/distance_chart.h"
-#include "ui/compare/run_chooser.h"
-#include "ui/models/comparison_explanation.h"
-#include "ui/models/difference_model.h"
+#include "ui/compare/internal/compare_map.h"
+#include "ui/compare/internal/run_chooser.h"
+#include "ui/models/comparison_scene.h"
 #include "ui/models/timeline.h"
-#include "ui/views/comparison_curves.h"
-#include "ui/views/empty_state.h"
-#include "ui/views/figure_grid.h"
+#include "ui/views/map/comparison_painting.h"
+#include "ui/views/widgets/empty_state.h"
+#include "ui/views/widgets/figure_grid.h"
 
 #include <QAbstractItemModelTester>
 #include <QAction>
@@ -195,9 +193,11 @@ private Q_SLOTS:
                     return each;
             return decltype(kind)(nullptr);
         };
-        auto *align = field(static_cast<QComboBox *>(nullptr), QStringLiteral("The moment that counts as the same"));
-        auto *place = field(static_cast<QDoubleSpinBox *>(nullptr),
-                            QStringLiteral("How far along the way the runs are taken to be at the same time"));
+        auto *align =
+            field(static_cast<QComboBox *>(nullptr), QStringLiteral("The moment that counts as the same"));
+        auto *place =
+            field(static_cast<QDoubleSpinBox *>(nullptr),
+                  QStringLiteral("How far along the way the runs are taken to be at the same time"));
         QVERIFY(align && place && !place->isVisible());
         const auto wait = [&] { return QTest::qWaitFor([&] { return shown.page->isSettled(); }, longestMs); };
         align->setCurrentIndex(align->findData(int(AlignBy::Distance)));
@@ -309,18 +309,25 @@ private Q_SLOTS:
             return explanation();
         };
         const QString figure = explained("Figures of both runs", 0);
-        QVERIFY2(figure.contains(QStringLiteral("Trial 2 less Trial 1")) && figure.contains(QStringLiteral("not more than 1.96")) &&
-                     figure.contains(QStringLiteral("√(σ₁² + σ₂²)")) && figure.contains(QStringLiteral("time 0: ")),
+        QVERIFY2(figure.contains(QStringLiteral("Trial 2 less Trial 1")) &&
+                     figure.contains(QStringLiteral("not more than 1.96")) &&
+                     figure.contains(QStringLiteral("√(σ₁² + σ₂²)")) &&
+                     figure.contains(QStringLiteral("time 0: ")),
                  qPrintable(figure));
         const QString sector = explained("Times from gate to gate", 0);
-        QVERIFY2(sector.startsWith(QStringLiteral("Sector begin to ")) && sector.contains(QStringLiteral("first arrival")), qPrintable(sector));
+        QVERIFY2(sector.startsWith(QStringLiteral("Sector begin to ")) &&
+                     sector.contains(QStringLiteral("first arrival")),
+                 qPrintable(sector));
         auto *end = shown.page->findChild<FigureGrid *>();
         QTest::keyClick(end, Qt::Key_Return);
         const QString atEnd = explanation();
-        QVERIFY2(atEnd.startsWith(QStringLiteral("Δt of ")) && atEnd.contains(QStringLiteral("Trial 2 against Trial 1 at ")), qPrintable(atEnd));
+        QVERIFY2(atEnd.startsWith(QStringLiteral("Δt of ")) &&
+                     atEnd.contains(QStringLiteral("Trial 2 against Trial 1 at ")),
+                 qPrintable(atEnd));
         shown.page->timeline().setCurrentTime(std::chrono::milliseconds(700));
-        for (const auto &[chart, words] : {std::pair(&shown.page->desk().speed(), QStringLiteral("Speed of Trial 1 at ")),
-                                           std::pair(&shown.page->desk().difference(), QStringLiteral("Trial 2 against Trial 1 at "))}) {
+        for (const auto &[chart, words] :
+             {std::pair(&shown.page->desk().speed(), QStringLiteral("Speed of Trial 1 at ")),
+              std::pair(&shown.page->desk().difference(), QStringLiteral("Trial 2 against Trial 1 at "))}) {
             chart->area().grab();
             QTest::keyClick(&chart->area(), Qt::Key_F1, Qt::ShiftModifier);
             const QString told = explanation();
@@ -328,9 +335,12 @@ private Q_SLOTS:
         }
         // What only one of them has, and what is exact, is told without a claim.
         const auto &scene = *shown.page->scene();
-        QCOMPARE(explainDifference(scene, 1, {"circle_radius", "m", 0.5, {}, 0.01, {}, {}}).value, QStringLiteral("only one of the two has it"));
-        QVERIFY(explainDifference(scene, 1, {"laps", "1", 2, 3, {}, {}, Difference{1, 0}}).formula.contains(QStringLiteral("Both are exact")));
-        QVERIFY(explainDifference(scene, 1, {"duration", "s", 2, 3, 0.1, 0.1, Difference{1, 0.14}}).formula.contains(QStringLiteral("less than 5 of 100")));
+        QCOMPARE(explainDifference(scene, 1, {"circle_radius", "m", 0.5, {}, 0.01, {}, {}}).value,
+                 QStringLiteral("only one of the two has it"));
+        QVERIFY(explainDifference(scene, 1, {"laps", "1", 2, 3, {}, {}, Difference{1, 0}})
+                    .formula.contains(QStringLiteral("Both are exact")));
+        QVERIFY(explainDifference(scene, 1, {"duration", "s", 2, 3, 0.1, 0.1, Difference{1, 0.14}})
+                    .formula.contains(QStringLiteral("less than 5 of 100")));
     }
 
     void remembersAndResetsItsDocks()

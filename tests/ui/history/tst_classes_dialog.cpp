@@ -9,10 +9,9 @@
 #include "tests/ui/support/stored_example.h"
 #include "ui/history/classes_dialog.h"
 #include "ui/history/history_page.h"
-#include "ui/history/team_dialog.h"
-#include "ui/history/trial_filter_bar.h"
-#include "ui/models/own_changes.h"
-#include "ui/models/shown_team.h"
+#include "ui/history/internal/trial_list.h"
+#include "ui/models/project_changes.h"
+#include "ui/models/shown_names.h"
 
 #include <QAction>
 #include <QApplication>

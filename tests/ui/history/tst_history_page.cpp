@@ -8,11 +8,10 @@
 #include "tests/ui/support/project_content.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/history/history_page.h"
-#include "ui/history/mark_actions.h"
-#include "ui/history/teams_panel.h"
-#include "ui/history/trend_chart.h"
-#include "ui/history/trial_detail.h"
-#include "ui/models/standings_model.h"
+#include "ui/history/internal/mark_actions.h"
+#include "ui/history/internal/teams_panel.h"
+#include "ui/history/internal/trial_detail.h"
+#include "ui/models/results.h"
 #include "ui/models/trial_model.h"
 
 #include <QAbstractItemModelTester>
@@ -192,7 +191,8 @@ void TestHistoryPage::aTrialGoesWhileItIsBeingWrittenAbout()
     page.show();
     page.refresh();
     auto *table = page.findChild<QTableView *>(QStringLiteral("trials"));
-    const QAbstractItemModelTester tester(table->model(), QAbstractItemModelTester::FailureReportingMode::QtTest);
+    const QAbstractItemModelTester tester(table->model(),
+                                          QAbstractItemModelTester::FailureReportingMode::QtTest);
     page.selectTrial(QStringLiteral("Trial 2"));
     page.findChild<QPlainTextEdit *>()->setPlainText(QStringLiteral("wheel lost")); // is stored after a pause
     table->setCurrentIndex(table->currentIndex().siblingAtColumn(TrialModel::TagsColumn));
@@ -260,7 +260,8 @@ void TestHistoryPage::theBinIsEmptiedForGood()
     }
     QCOMPARE(project->trials().all()->size(), std::size_t(3));
     std::optional<BinContent> wanted;
-    connect(&page, &HistoryPage::emptyBinRequested, this, [&](const BinContent &content) { wanted = content; });
+    connect(&page, &HistoryPage::emptyBinRequested, this,
+            [&](const BinContent &content) { wanted = content; });
     Person person({[](QDialog &dialog) {
         for (QAbstractButton *button : dialog.findChildren<QAbstractButton *>())
             if (button->text() == QLatin1String("&Remove for good"))
@@ -286,12 +287,16 @@ void TestHistoryPage::showsHowTeamsStand()
              QStringLiteral("three trials at different times tell"));
     choice(*panel, "Task")->setCurrentIndex(0); // any
     QTRY_VERIFY(page.isSettled());
-    QCOMPARE(model->rowCount(), 2);             // Falcon and Heron have a tracked trial each
+    QCOMPARE(model->rowCount(), 2); // Falcon and Heron have a tracked trial each
     QCOMPARE(model->index(0, StandingsModel::RankColumn).data().toString(), QStringLiteral("\u2013"));
-    QCOMPARE(model->index(0, StandingsModel::ProgressColumn).data().toString(), QStringLiteral("choose a task"));
+    QCOMPARE(model->index(0, StandingsModel::ProgressColumn).data().toString(),
+             QStringLiteral("choose a task"));
     auto *chart = panel->findChild<TrendChart *>();
-    QVERIFY(chart->accessibleDescription().contains(
-        panel->findChild<QTableView *>()->currentIndex().siblingAtColumn(StandingsModel::TeamColumn).data().toString()));
+    QVERIFY(chart->accessibleDescription().contains(panel->findChild<QTableView *>()
+                                                        ->currentIndex()
+                                                        .siblingAtColumn(StandingsModel::TeamColumn)
+                                                        .data()
+                                                        .toString()));
     choice(*panel, "Task")
         ->setCurrentIndex(choice(*panel, "Task")->findText(QStringLiteral("Figure eight, 2 laps")));
     QTRY_VERIFY(page.isSettled());
@@ -312,7 +317,8 @@ void TestHistoryPage::showsHowTeamsStand()
     changed.findChild<QTabWidget *>()->setCurrentIndex(1);
     QTRY_VERIFY(changed.isSettled());
     auto *standings = changed.findChild<TeamsPanel *>();
-    choice(*standings, "Task")->setCurrentIndex(choice(*standings, "Task")->findText(QString::fromStdString(task.name)));
+    choice(*standings, "Task")
+        ->setCurrentIndex(choice(*standings, "Task")->findText(QString::fromStdString(task.name)));
     QTRY_VERIFY(changed.isSettled());
     QCOMPARE(standings->findChild<QTableView *>()->model()->rowCount(), 0);
     QCOMPARE(choice(*standings, "Figure")->itemText(0), QStringLiteral("Score"));

@@ -2,10 +2,10 @@
 // After a crash the next window says so, once, and offers the project that was open.
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
-#include "ui/main_window/crash_notice.h"
 #include "ui/main_window/main_window.h"
+#include "ui/main_window/program_ends.h"
 #include "ui/main_window/workspace.h"
-#include "ui/views/elided_label.h"
+#include "ui/views/widgets/labels.h"
 
 #include <QApplication>
 #include <QDialogButtonBox>

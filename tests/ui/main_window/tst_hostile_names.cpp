@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names of a project that comes from elsewhere may be anything: no window may take them for more than letters.
+// Names of a project that comes from elsewhere may be anything: no window may take them for more than
+// letters.
 #include "core/base/plain_text.h"
 #include "core/project/project.h"
 #include "tests/support/registered_test.h"
@@ -41,17 +42,20 @@ namespace {
 /// Gives everything that has a name this one, each with a number behind it, past all checks.
 void nameAll(const std::filesystem::path &project, const QString &name)
 {
-    static const QStringList places{QStringLiteral("camera.name"), QStringLiteral("layout.name"),   QStringLiteral("robot.name"),
-                                    QStringLiteral("class.name"),  QStringLiteral("team.name"),     QStringLiteral("task.name"),
-                                    QStringLiteral("trial.name"),  QStringLiteral("trial.notes"),   QStringLiteral("gate.name"),
-                                    QStringLiteral("zone.name"),   QStringLiteral("team_member.name"), QStringLiteral("trial_tag.tag")};
+    static const QStringList places{
+        QStringLiteral("camera.name"), QStringLiteral("layout.name"),      QStringLiteral("robot.name"),
+        QStringLiteral("class.name"),  QStringLiteral("team.name"),        QStringLiteral("task.name"),
+        QStringLiteral("trial.name"),  QStringLiteral("trial.notes"),      QStringLiteral("gate.name"),
+        QStringLiteral("zone.name"),   QStringLiteral("team_member.name"), QStringLiteral("trial_tag.tag")};
     {
-        QSqlDatabase database = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), QStringLiteral("hostile"));
+        QSqlDatabase database =
+            QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), QStringLiteral("hostile"));
         database.setDatabaseName(QString::fromStdString(project.string()));
         QVERIFY(database.open());
         for (const QString &place : places) {
             QSqlQuery query(database);
-            query.prepare(QStringLiteral("UPDATE %1 SET %2 = ? || rowid").arg(place.section(u'.', 0, 0), place.section(u'.', 1)));
+            query.prepare(QStringLiteral("UPDATE %1 SET %2 = ? || rowid")
+                              .arg(place.section(u'.', 0, 0), place.section(u'.', 1)));
             query.addBindValue(name);
             QVERIFY2(query.exec(), qPrintable(place + query.lastError().text()));
         }
@@ -65,13 +69,16 @@ QStringList mistakenIn(const QWidget &window, const QString &name)
     QStringList mistaken;
     const bool isMarkup = Qt::mightBeRichText(name);
     const auto note = [&mistaken](const QWidget &widget, const QString &what) {
-        mistaken << QString::fromLatin1(widget.metaObject()->className()) + u' ' + widget.objectName() + QStringLiteral(": ") + what;
+        mistaken << QString::fromLatin1(widget.metaObject()->className()) + u' ' + widget.objectName() +
+                        QStringLiteral(": ") + what;
     };
     for (const auto *widget : window.findChildren<QWidget *>()) {
         if (isMarkup && Qt::mightBeRichText(widget->toolTip()) && widget->toolTip().contains(name))
             note(*widget, QStringLiteral("tool tip"));
         const auto *label = qobject_cast<const QLabel *>(widget);
-        const bool isTaken = label && (label->textFormat() == Qt::RichText || (label->textFormat() == Qt::AutoText && Qt::mightBeRichText(label->text())));
+        const bool isTaken =
+            label && (label->textFormat() == Qt::RichText ||
+                      (label->textFormat() == Qt::AutoText && Qt::mightBeRichText(label->text())));
         if (isMarkup && isTaken && label->text().contains(name))
             note(*widget, QStringLiteral("text"));
         const auto *table = qobject_cast<const QAbstractItemView *>(widget);
@@ -84,7 +91,8 @@ QStringList mistakenIn(const QWidget &window, const QString &name)
     }
     constexpr int screen = 1366;
     for (const auto *widget : window.findChildren<QWidget *>()) // the innermost ones, to be found
-        if (widget->minimumSizeHint().width() > screen && widget->minimumWidth() == 0 && !widget->layout() && widget->isVisibleTo(&window))
+        if (widget->minimumSizeHint().width() > screen && widget->minimumWidth() == 0 && !widget->layout() &&
+            widget->isVisibleTo(&window))
             note(*widget, QStringLiteral("%1 wide").arg(widget->minimumSizeHint().width()));
     if (window.minimumSizeHint().width() > screen || window.width() > screen)
         note(window, QStringLiteral("%1 wide").arg(window.minimumSizeHint().width()));
@@ -99,7 +107,8 @@ void TestHostileNames::theyAreShownAsLetters_data()
     QTest::addColumn<QString>("name");
     QTest::newRow("markup") << QStringLiteral("<img src=x><b>bold</b>&amp;");
     QTest::newRow("path") << QStringLiteral("../../etc/passwd");
-    QTest::newRow("right to left") << QString::fromUtf8("photo\u202Egnp.exe"); // NOLINT(misc-misleading-bidirectional): such a name is what is shown
+    QTest::newRow("right to left") << QString::fromUtf8(
+        "photo\u202Egnp.exe"); // NOLINT(misc-misleading-bidirectional): such a name is what is shown
     QTest::newRow("formula") << QStringLiteral("=1+1");
     QTest::newRow("key") << QStringLiteral("A&B &&");
     QTest::newRow("lines") << QStringLiteral("one\ntwo\t%1 %n");
@@ -129,7 +138,8 @@ void TestHostileNames::theyAreShownAsLetters()
     const auto *trials = window.findChild<QTableView *>(QStringLiteral("trials"));
     bool isShown = false;
     for (int column = 0; column < trials->model()->columnCount(); ++column)
-        isShown = isShown || trials->model()->index(0, column).data().toString().startsWith(QString::fromStdString(plainLine(name.toStdString())).left(100));
+        isShown = isShown || trials->model()->index(0, column).data().toString().startsWith(
+                                 QString::fromStdString(plainLine(name.toStdString())).left(100));
     QVERIFY(isShown);
     const int dialogs = test::lookAtDialogs(window, [&](const QAction &command, QDialog &dialog) {
         for (const QString &each : mistakenIn(dialog, name))

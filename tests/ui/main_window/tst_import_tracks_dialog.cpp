@@ -5,13 +5,13 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/stored_example.h"
-#include "ui/main_window/import_tracks_dialog.h"
+#include "ui/main_window/internal/import_tracks_dialog.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/trial_scene.h"
+#include "ui/review/internal/trial_facts.h"
 #include "ui/review/review_page.h"
-#include "ui/review/trial_facts.h"
-#include "ui/views/path_field.h"
+#include "ui/views/widgets/path_field.h"
 
 #include <QAction>
 #include <QApplication>
@@ -48,7 +48,8 @@ class TestImportTracksDialog : public QObject
     {
         QByteArray text = "t_s,x_mm,y_mm\n";
         for (int i = 0; i < 100; ++i)
-            text += QByteArray::number(i / 50.0, 'f', 3) + ',' + QByteArray::number(500 * std::cos(i / 25.0), 'f', 3) + ',' +
+            text += QByteArray::number(i / 50.0, 'f', 3) + ',' +
+                    QByteArray::number(500 * std::cos(i / 25.0), 'f', 3) + ',' +
                     QByteArray::number(500 * std::sin(i / 25.0), 'f', 3) + '\n';
         return text;
     }
@@ -90,7 +91,11 @@ private Q_SLOTS:
 
     void theDialogAsks()
     {
-        ImportTracksDialog dialog({QStringLiteral("Run 7"), {QStringLiteral("Falcon")}, {QStringLiteral("Red")}, {QStringLiteral("Lap")}, {QStringLiteral("F")}});
+        ImportTracksDialog dialog({QStringLiteral("Run 7"),
+                                   {QStringLiteral("Falcon")},
+                                   {QStringLiteral("Red")},
+                                   {QStringLiteral("Lap")},
+                                   {QStringLiteral("F")}});
         QVERIFY(!importButton(dialog)->isEnabled());
         dialog.addTrack(QStringLiteral("/a/run.tum"));
         QVERIFY(importButton(dialog)->isEnabled());

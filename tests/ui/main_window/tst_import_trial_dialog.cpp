@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
-#include "ui/main_window/import_trial_dialog.h"
-#include "ui/main_window/view_steps.h"
-#include "ui/views/path_field.h"
-#include "ui/views/theme.h"
+#include "ui/main_window/internal/import_trial_dialog.h"
+#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -49,7 +48,9 @@ private:
 void TestImportTrialDialog::init()
 {
     m_dialog = std::make_unique<ImportTrialDialog>(
-        ImportTrialDialog::Offer{QStringLiteral("Run 7"), {QStringLiteral("Falcon")}, {QStringLiteral("Red")},
+        ImportTrialDialog::Offer{QStringLiteral("Run 7"),
+                                 {QStringLiteral("Falcon")},
+                                 {QStringLiteral("Red")},
                                  {{QStringLiteral("Door"), {QStringLiteral("±3 mm"), BadgeState::Good}},
                                   {QStringLiteral("Window"), {}},
                                   {QStringLiteral("Wall"), {QStringLiteral("moved"), BadgeState::Bad}}}});
@@ -75,7 +76,8 @@ void TestImportTrialDialog::aTeamProposesItsRobots()
     QVERIFY(dialog.settings().robots.empty());
     team->setCurrentIndex(team->findText(QStringLiteral("Team 4")));
     QCOMPARE(dialog.settings().robots, std::vector<std::string>{"Blue"});
-    team->setCurrentIndex(team->findText(QStringLiteral("Heron"))); // has none of its own: what was ticked stays
+    // has none of its own: what was ticked stays
+    team->setCurrentIndex(team->findText(QStringLiteral("Heron")));
     QCOMPARE(dialog.settings().robots, std::vector<std::string>{"Blue"});
     team->setCurrentIndex(0);
     QCOMPARE(dialog.settings().robots, std::vector<std::string>{"Blue"});
@@ -121,7 +123,8 @@ void TestImportTrialDialog::asksOneStepForEachFurtherView()
         labels << label->text();
     QCOMPARE(labels, (QStringList{QStringLiteral("Window"), QStringLiteral("Wall")}));
     field<QComboBox>("Camera of view 3")->setCurrentText(QString());
-    QCOMPARE(m_dialog->findChild<ViewSteps *>()->findChildren<QLabel *>().at(1)->text(), QStringLiteral("View 3"));
+    QCOMPARE(m_dialog->findChild<ViewSteps *>()->findChildren<QLabel *>().at(1)->text(),
+             QStringLiteral("View 3"));
 }
 
 void TestImportTrialDialog::aCameraShowsHowWellItIsRegistered()
@@ -170,10 +173,18 @@ void TestImportTrialDialog::isReachedByTheTabKey()
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
     }
     const auto s = [](const char *text) { return QString::fromLatin1(text); };
-    const QStringList wanted{s("Camera of view 1"), s("Video of view 1"), s("Browse: Video of view 1"),
-                             s("Camera of view 2"), s("Video of view 2"), s("Browse: Video of view 2"),
-                             s("Camera of view 3"), s("Video of view 3"), s("Browse: Video of view 3"), s("Add &view"),
-                             s("How view 2 gets in step with the first"), s("How much later view 2 began"),
+    const QStringList wanted{s("Camera of view 1"),
+                             s("Video of view 1"),
+                             s("Browse: Video of view 1"),
+                             s("Camera of view 2"),
+                             s("Video of view 2"),
+                             s("Browse: Video of view 2"),
+                             s("Camera of view 3"),
+                             s("Video of view 3"),
+                             s("Browse: Video of view 3"),
+                             s("Add &view"),
+                             s("How view 2 gets in step with the first"),
+                             s("How much later view 2 began"),
                              s("How view 3 gets in step with the first")};
     QCOMPARE(reached.mid(0, 13), wanted);
     // By keyboard alone.

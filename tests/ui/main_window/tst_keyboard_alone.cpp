@@ -44,8 +44,10 @@ namespace {
 QString placeOf(const QWidget &widget)
 {
     return QStringLiteral("%1 %2 %3 in %4")
-        .arg(QString::fromLatin1(widget.metaObject()->className()), widget.objectName(), widget.accessibleName().left(40),
-             widget.parentWidget() ? QString::fromLatin1(widget.parentWidget()->metaObject()->className()) : QString());
+        .arg(QString::fromLatin1(widget.metaObject()->className()), widget.objectName(),
+             widget.accessibleName().left(40),
+             widget.parentWidget() ? QString::fromLatin1(widget.parentWidget()->metaObject()->className())
+                                   : QString());
 }
 
 /// What a person can do something with; parts of such (the line of a number) are not.
@@ -54,13 +56,17 @@ bool isOperated(const QWidget &widget, const QWidget &window)
     if (!widget.isVisibleTo(&window) || !widget.isEnabled() || widget.size().isEmpty() || widget.focusProxy())
         return false;
     const QWidget *parent = widget.parentWidget();
-    const bool isPart = qobject_cast<const QAbstractSpinBox *>(parent) || qobject_cast<const QComboBox *>(parent) ||
-                        qobject_cast<const QLineEdit *>(parent) || qobject_cast<const QScrollBar *>(&widget) || widget.inherits("QHeaderView") ||
-                        widget.inherits("QTableCornerButton") || parent->inherits("QTabBar") || widget.inherits("QDockWidgetTitleButton");
-    return !isPart && (qobject_cast<const QAbstractButton *>(&widget) || qobject_cast<const QComboBox *>(&widget) ||
-                       qobject_cast<const QLineEdit *>(&widget) || qobject_cast<const QAbstractSpinBox *>(&widget) ||
-                       qobject_cast<const QAbstractItemView *>(&widget) || qobject_cast<const QAbstractSlider *>(&widget) ||
-                       qobject_cast<const QTextEdit *>(&widget) || widget.focusPolicy() & Qt::TabFocus);
+    const bool isPart = qobject_cast<const QAbstractSpinBox *>(parent) ||
+                        qobject_cast<const QComboBox *>(parent) || qobject_cast<const QLineEdit *>(parent) ||
+                        qobject_cast<const QScrollBar *>(&widget) || widget.inherits("QHeaderView") ||
+                        widget.inherits("QTableCornerButton") || parent->inherits("QTabBar") ||
+                        widget.inherits("QDockWidgetTitleButton");
+    return !isPart &&
+           (qobject_cast<const QAbstractButton *>(&widget) || qobject_cast<const QComboBox *>(&widget) ||
+            qobject_cast<const QLineEdit *>(&widget) || qobject_cast<const QAbstractSpinBox *>(&widget) ||
+            qobject_cast<const QAbstractItemView *>(&widget) ||
+            qobject_cast<const QAbstractSlider *>(&widget) || qobject_cast<const QTextEdit *>(&widget) ||
+            widget.focusPolicy() & Qt::TabFocus);
 }
 
 /// A button of a command that has keys, or stands in a menu, needs no focus.
@@ -71,7 +77,9 @@ bool isCommand(const QWidget &widget)
     if (!command)
         return false;
     const auto places = command->associatedObjects();
-    return !command->shortcut().isEmpty() || std::ranges::any_of(places, [](QObject *place) { return qobject_cast<QMenu *>(place) != nullptr; });
+    return !command->shortcut().isEmpty() || std::ranges::any_of(places, [](QObject *place) {
+        return qobject_cast<QMenu *>(place) != nullptr;
+    });
 }
 
 QSet<const QWidget *> reachedByTab(QWidget &window)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/registered_test.h"
 #include "ui/history/history_page.h"
-#include "ui/history/teams_panel.h"
+#include "ui/history/internal/teams_panel.h"
 #include "ui/main_window/language.h"
 #include "ui/models/figure_text.h"
 
@@ -85,7 +85,8 @@ QList<Message> messagesOf(const QString &ts)
         if (name == QLatin1String("name")) {
             context = reader.readElementText();
         } else if (name == QLatin1String("message")) {
-            messages << Message{context, {}, {}, true, reader.attributes().hasAttribute(QLatin1String("numerus"))};
+            messages << Message{
+                context, {}, {}, true, reader.attributes().hasAttribute(QLatin1String("numerus"))};
         } else if (name == QLatin1String("source")) {
             messages.last().source = reader.readElementText();
         } else if (name == QLatin1String("translation")) {
@@ -117,16 +118,20 @@ void TestLanguage::everyLanguageIsComplete()
     QStringList files;
     for (const Language &each : languages()) {
         files << folder.filePath(each.code + QStringLiteral(".ts"));
-        QVERIFY(QFile::copy(m_root + QStringLiteral("/translations/odograph_%1.ts").arg(each.code), files.last()));
+        QVERIFY(QFile::copy(m_root + QStringLiteral("/translations/odograph_%1.ts").arg(each.code),
+                            files.last()));
     }
     const QString lupdate = QLibraryInfo::path(QLibraryInfo::BinariesPath) + QStringLiteral("/lupdate");
-    const QStringList scan{QStringLiteral("-silent"), QStringLiteral("-no-obsolete"), QStringLiteral("-I"), QStringLiteral("."), QStringLiteral("ui")};
-    for (const QStringList &one : {QStringList{QStringLiteral("-pluralonly"), QStringLiteral("-ts"), files.first()},
-                                   QStringList{QStringLiteral("-ts")} + files.mid(1)}) {
+    const QStringList scan{QStringLiteral("-silent"), QStringLiteral("-no-obsolete"), QStringLiteral("-I"),
+                           QStringLiteral("."), QStringLiteral("ui")};
+    for (const QStringList &one :
+         {QStringList{QStringLiteral("-pluralonly"), QStringLiteral("-ts"), files.first()},
+          QStringList{QStringLiteral("-ts")} + files.mid(1)}) {
         QProcess process;
         process.setWorkingDirectory(m_root);
         process.start(lupdate, scan + one);
-        QVERIFY2(process.waitForFinished(120'000) && process.exitCode() == 0, process.readAllStandardError().constData());
+        QVERIFY2(process.waitForFinished(120'000) && process.exitCode() == 0,
+                 process.readAllStandardError().constData());
     }
     qsizetype counted = 0, missing = 0;
     for (const QString &file : files)
@@ -145,7 +150,8 @@ void TestLanguage::noWordIsMarkedWithinTr()
 {
     static const QRegularExpression marked(QStringLiteral("\\btr\\(\\s*QT_TR[A-Z_]*NOOP"));
     int files = 0;
-    for (QDirIterator each(m_root + QStringLiteral("/ui"), {QStringLiteral("*.cpp"), QStringLiteral("*.h")}, QDir::Files, QDirIterator::Subdirectories);
+    for (QDirIterator each(m_root + QStringLiteral("/ui"), {QStringLiteral("*.cpp"), QStringLiteral("*.h")},
+                           QDir::Files, QDirIterator::Subdirectories);
          each.hasNext();) {
         QFile file(each.next());
         QVERIFY(file.open(QIODevice::ReadOnly));
@@ -161,13 +167,18 @@ void TestLanguage::placeholdersAndKeysAreKept()
     QFETCH(QString, code);
     const bool hasComma = QLocale(code).decimalPoint() == QStringLiteral(",");
     const QString measure = QStringLiteral("[0-9]\\.[0-9]+[ \u00a0](m|ms|σ|%)");
-    const QString placeholder = QStringLiteral("%[0-9]"), key = QStringLiteral("&\\p{L}"), pattern = QStringLiteral("\\*\\.\\w+");
-    for (const Message &message : messagesOf(m_root + QStringLiteral("/translations/odograph_%1.ts").arg(code)))
+    const QString placeholder = QStringLiteral("%[0-9]"), key = QStringLiteral("&\\p{L}"),
+                  pattern = QStringLiteral("\\*\\.\\w+");
+    for (const Message &message :
+         messagesOf(m_root + QStringLiteral("/translations/odograph_%1.ts").arg(code)))
         for (const QString &translation : message.translations) {
-            const QString words = message.place + QStringLiteral(": ") + message.source + QStringLiteral(" → ") + translation;
-            QVERIFY2(matches(translation, placeholder) == matches(message.source, placeholder), qPrintable(words));
+            const QString words =
+                message.place + QStringLiteral(": ") + message.source + QStringLiteral(" → ") + translation;
+            QVERIFY2(matches(translation, placeholder) == matches(message.source, placeholder),
+                     qPrintable(words));
             QVERIFY2(matches(translation, pattern) == matches(message.source, pattern), qPrintable(words));
-            QVERIFY2(matches(translation, key).size() == matches(message.source, key).size(), qPrintable(words));
+            QVERIFY2(matches(translation, key).size() == matches(message.source, key).size(),
+                     qPrintable(words));
             QVERIFY2(translation.endsWith(u'…') == message.source.endsWith(u'…'), qPrintable(words));
             QVERIFY2(!hasComma || matches(translation, measure).isEmpty(), qPrintable(words));
         }
@@ -194,9 +205,15 @@ void TestLanguage::wordsAndNumbersFollowTheLanguage_data()
     QTest::addColumn<QString>("code");
     QTest::addColumn<QString>("teams");
     QTest::addColumn<QString>("number");
-    QTest::newRow("en") << "en" << "2 teams" << "1.5";
-    QTest::newRow("de") << "de" << "2 Teams" << "1,5";
-    QTest::newRow("es") << "es" << "2 equipos" << "1,5";
+    QTest::newRow("en") << "en"
+                        << "2 teams"
+                        << "1.5";
+    QTest::newRow("de") << "de"
+                        << "2 Teams"
+                        << "1,5";
+    QTest::newRow("es") << "es"
+                        << "2 equipos"
+                        << "1,5";
     QTest::newRow("fr") << "fr" << QString::fromUtf8("2 équipes") << "1,5";
     QTest::newRow("ko") << "ko" << QString::fromUtf8("2팀") << "1.5";
     QTest::newRow("zh_CN") << "zh_CN" << QString::fromUtf8("2 个小组") << "1.5";
@@ -214,7 +231,8 @@ void TestLanguage::wordsAndNumbersFollowTheLanguage()
 void TestLanguage::whatIsNotKnownIsTheComputers()
 {
     installLanguage(*qApp, QStringLiteral("tlh"));
-    QVERIFY(std::ranges::any_of(languages(), [](const Language &each) { return each.code == shownLanguage(); }));
+    QVERIFY(
+        std::ranges::any_of(languages(), [](const Language &each) { return each.code == shownLanguage(); }));
     chooseLanguage(QStringLiteral("fr"));
     QCOMPARE(chosenLanguage(), QStringLiteral("fr"));
     chooseLanguage({});
@@ -225,17 +243,19 @@ void TestLanguage::whatIsNotKnownIsTheComputers()
 void TestLanguage::everyFigureHasAName()
 {
     installLanguage(*qApp, QStringLiteral("fr"));
-    static const QRegularExpression figure(QStringLiteral("\"([a-z0-9_]+)\",\\s*\"(?:1|s|m|m/s|m/s²|rad/s)\""));
+    static const QRegularExpression figure(
+        QStringLiteral("\"([a-z0-9_]+)\",\\s*\"(?:1|s|m|m/s|m/s²|rad/s)\""));
     int count = 0;
     for (const char *file : {"metrics", "task_metrics"}) {
-        QFile source(m_root + QStringLiteral("/core/trajectory/%1.cpp").arg(QLatin1String(file)));
+        QFile source(m_root + QStringLiteral("/core/analysis/%1.cpp").arg(QLatin1String(file)));
         QVERIFY(source.open(QIODevice::ReadOnly));
         auto each = figure.globalMatch(QString::fromUtf8(source.readAll()));
         while (each.hasNext()) {
             const QString name = each.next().captured(1);
             QString plain = name;
             plain.replace(u'_', u' ');
-            QVERIFY2(metricName(name.toStdString()).compare(plain, Qt::CaseInsensitive) != 0, qPrintable(name));
+            QVERIFY2(metricName(name.toStdString()).compare(plain, Qt::CaseInsensitive) != 0,
+                     qPrintable(name));
             ++count;
         }
     }

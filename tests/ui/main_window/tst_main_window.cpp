@@ -7,9 +7,8 @@
 #include "ui/compare/compare_page.h"
 #include "ui/history/history_page.h"
 #include "ui/main_window/appearance.h"
-#include "ui/main_window/job_indicator.h"
+#include "ui/main_window/internal/window_bars.h"
 #include "ui/main_window/main_window.h"
-#include "ui/main_window/message_bar.h"
 #include "ui/main_window/paint_window.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/timeline.h"
@@ -17,7 +16,7 @@
 #include "ui/review/review_desk.h"
 #include "ui/review/review_page.h"
 #include "ui/testbed/testbed_page.h"
-#include "ui/views/card.h"
+#include "ui/views/widgets/card.h"
 
 #include <QAbstractButton>
 #include <QAccessible>
@@ -273,7 +272,8 @@ void TestMainWindow::completesARecordingThatWasCutOff()
     QVERIFY(window.openProject(file));
     QTRY_VERIFY(!window.workspace().isBusy());
     QCOMPARE(window.findChild<MessageBar *>()->text(),
-             QStringLiteral("trial 'run': its recording was cut off; nothing of it had reached the disk, and it is left out: record it again"));
+             QStringLiteral("trial 'run': its recording was cut off; nothing of it had reached the disk, and "
+                            "it is left out: record it again"));
     QVERIFY(window.workspace().project()->trials().all()->empty());
 }
 
@@ -335,7 +335,8 @@ void TestMainWindow::headersFollowAChangeOfTheme()
     card.resize(400, 100);
     card.show();
     QVERIFY(QTest::qWaitForWindowExposed(&card));
-    // The contrast of text and ground, as the lightness of what is lightest and darkest in the header's right part.
+    // The contrast of text and ground, as the lightness of what is lightest and darkest in the header's right
+    // part.
     const auto contrast = [&card] {
         const QImage header = card.grab(QRect(150, 3, 240, 20)).toImage();
         int darkest = 255, lightest = 0;

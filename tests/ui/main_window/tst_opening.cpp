@@ -5,9 +5,8 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/stored_example.h"
-#include "ui/main_window/job_indicator.h"
+#include "ui/main_window/internal/window_bars.h"
 #include "ui/main_window/main_window.h"
-#include "ui/main_window/message_bar.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/background_task.h"
 
@@ -25,7 +24,8 @@ using namespace odo;
 
 namespace {
 
-/// Cancels what a workspace opens at the last moment: when its thread has ended, and before that is taken note of.
+/// Cancels what a workspace opens at the last moment: when its thread has ended, and before that is taken
+/// note of.
 class LateCancel : public QObject
 {
 public:
@@ -129,12 +129,16 @@ private Q_SLOTS:
         file.close();
         MainWindow window;
         window.show();
-        QSignalSpy failed(&window.workspace(), &Workspace::jobFailed), opened(&window.workspace(), &Workspace::opened);
+        QSignalSpy failed(&window.workspace(), &Workspace::jobFailed),
+            opened(&window.workspace(), &Workspace::opened);
         window.beginOpening(damaged.toStdString());
         QTRY_COMPARE(failed.count(), 1);
         auto *bar = window.findChild<MessageBar *>();
-        const QString written = QLocale().toString(QFileInfo(backup.fileName()).lastModified(), QLocale::ShortFormat);
-        QCOMPARE(bar->text(), QStringLiteral("Project 'torn.odo': the file is damaged. Its backup of %1 is sound; what was done since is not in it.").arg(written));
+        const QString written =
+            QLocale().toString(QFileInfo(backup.fileName()).lastModified(), QLocale::ShortFormat);
+        QCOMPARE(bar->text(), QStringLiteral("Project 'torn.odo': the file is damaged. Its backup of %1 is "
+                                             "sound; what was done since is not in it.")
+                                  .arg(written));
         auto *button = bar->findChild<QPushButton *>();
         QCOMPARE(button->text(), QStringLiteral("Restore the backup"));
         QVERIFY(button->isVisible());
@@ -148,7 +152,9 @@ private Q_SLOTS:
         QCOMPARE(window.workspace().project()->title().value(), std::string("Year 9 robotics"));
         QVERIFY(!window.workspace().isReadOnly());
         QVERIFY(!button->isVisible());
-        QTRY_COMPARE(bar->text(), QStringLiteral("The backup was restored. The damaged file is kept as “torn.odo.damaged”."));
+        QTRY_COMPARE(
+            bar->text(),
+            QStringLiteral("The backup was restored. The damaged file is kept as “torn.odo.damaged”."));
         QFile kept(damaged + QStringLiteral(".damaged"));
         QVERIFY(kept.open(QIODevice::ReadOnly) && kept.readAll() == bytes);
     }

@@ -2,8 +2,7 @@
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
 #include "tests/support/registered_test.h"
-#include "ui/main_window/box_canvas.h"
-#include "ui/main_window/pick_colour_dialog.h"
+#include "ui/main_window/internal/pick_colour_dialog.h"
 
 #include <QApplication>
 #include <QComboBox>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a window does with what comes from outside: another program's changes, a file that is taken away; and when it says saved.
+// What a window does with what comes from outside: another program's changes, a file that is taken away; and
+// when it says saved.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "tests/support/program.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/stored_example.h"
+#include "ui/main_window/internal/window_bars.h"
 #include "ui/main_window/main_window.h"
-#include "ui/main_window/message_bar.h"
-#include "ui/main_window/status_line.h"
 #include "ui/main_window/workspace.h"
 
 #include <QApplication>
@@ -50,7 +50,10 @@ private Q_SLOTS:
     void whatAnotherProgramChangesIsFollowed()
     {
         QSignalSpy changed(&m_window->workspace(), &Workspace::changed);
-        QCOMPARE(runProgram({QStringLiteral("camera"), QStringLiteral("add"), QString::fromStdString(m_project.string()), QStringLiteral("C")}).exitStatus, 0);
+        QCOMPARE(runProgram({QStringLiteral("camera"), QStringLiteral("add"),
+                             QString::fromStdString(m_project.string()), QStringLiteral("C")})
+                     .exitStatus,
+                 0);
         QTRY_COMPARE_WITH_TIMEOUT(changed.count(), 1, 2000);
         QVERIFY(project().cameras().find("C"));
     }
@@ -82,7 +85,9 @@ private Q_SLOTS:
         const fs::path rescued = folder() / "example (rescued).odo";
         QTRY_COMPARE_WITH_TIMEOUT(project().file(), rescued, 3000);
         const QString words = m_window->findChild<MessageBar *>()->text();
-        QCOMPARE(words, QStringLiteral("“example.odo” was deleted, renamed or replaced by another program. What was in it is rescued in “example (rescued).odo”, which is open now."));
+        QCOMPARE(words,
+                 QStringLiteral("“example.odo” was deleted, renamed or replaced by another program. What was "
+                                "in it is rescued in “example (rescued).odo”, which is open now."));
         QVERIFY(!m_window->workspace().isReadOnly());
         QVERIFY(project().teams().find("Kestrel"));
         QVERIFY(project().teams().add({0, "Merlin", "9B"}));
@@ -103,7 +108,9 @@ private Q_SLOTS:
         fs::rename(folder() / "example.media", folder() / "new.media");
         fs::rename(m_project, folder() / "new.odo");
         QTRY_COMPARE_WITH_TIMEOUT(project().file(), fs::canonical(folder()) / "new.odo", 3000);
-        QCOMPARE(m_window->findChild<MessageBar *>()->text(), QStringLiteral("“example.odo” was renamed with its videos by another program. It is open as “new.odo” now."));
+        QCOMPARE(m_window->findChild<MessageBar *>()->text(),
+                 QStringLiteral("“example.odo” was renamed with its videos by another program. It is open as "
+                                "“new.odo” now."));
         QVERIFY(project().teams().find("Kestrel"));
         QVERIFY(project().teams().add({0, "Merlin", "9B"}));
         QVERIFY(!fs::exists(folder() / "example (rescued).odo"));
@@ -133,7 +140,9 @@ private Q_SLOTS:
             return;
         }
         QTRY_COMPARE_WITH_TIMEOUT(project().title().value(), std::string("another"), 3000);
-        QCOMPARE(messages->text(), QStringLiteral("Another program wrote over “example.odo” while it was open: what it held before is gone. What it holds now is shown."));
+        QCOMPARE(messages->text(),
+                 QStringLiteral("Another program wrote over “example.odo” while it was open: what it held "
+                                "before is gone. What it holds now is shown."));
         QVERIFY(!m_window->workspace().isReadOnly());
         QVERIFY(!project().teams().find("Kestrel"));
         QVERIFY(project().teams().add({0, "Merlin", "9B"}));

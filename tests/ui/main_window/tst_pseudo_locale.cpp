@@ -7,7 +7,7 @@
 #include "ui/main_window/appearance.h"
 #include "ui/main_window/language.h"
 #include "ui/main_window/main_window.h"
-#include "ui/models/live_cameras.h"
+#include "ui/models/camera_lists.h"
 
 #include <QAction>
 #include <QApplication>
@@ -44,10 +44,21 @@ const QStringList &known()
 {
     static const QStringList all = [] {
         QStringList names{
-            QStringLiteral("Odograph"), QStringLiteral("Year 9 robotics"), QStringLiteral("Figure eight, both at once"),
-            QStringLiteral("Figure eight, 2 laps"), QStringLiteral("example"), QStringLiteral("Falcon"), QStringLiteral("Heron"),
-            QStringLiteral("Trial 1"), QStringLiteral("Trial 2"), QStringLiteral("Trial 3"), QStringLiteral("Red 2"),
-            QStringLiteral("Blue 1"), QStringLiteral("floor"), QStringLiteral("New wheels since trial 2."), QStringLiteral("inch"),
+            QStringLiteral("Odograph"),
+            QStringLiteral("Year 9 robotics"),
+            QStringLiteral("Figure eight, both at once"),
+            QStringLiteral("Figure eight, 2 laps"),
+            QStringLiteral("example"),
+            QStringLiteral("Falcon"),
+            QStringLiteral("Heron"),
+            QStringLiteral("Trial 1"),
+            QStringLiteral("Trial 2"),
+            QStringLiteral("Trial 3"),
+            QStringLiteral("Red 2"),
+            QStringLiteral("Blue 1"),
+            QStringLiteral("floor"),
+            QStringLiteral("New wheels since trial 2."),
+            QStringLiteral("inch"),
         };
         for (const Language &language : languages())
             names << language.name;
@@ -75,7 +86,9 @@ QStringList cutOffAtLast(const QWidget &window)
 /// What is found of cameras changes dialogs that are shown.
 void waitForCameras(const MainWindow &window)
 {
-    const auto isFound = [&window] { return std::ranges::none_of(window.findChildren<LiveCameras *>(), &LiveCameras::isLooking); };
+    const auto isFound = [&window] {
+        return std::ranges::none_of(window.findChildren<LiveCameras *>(), &LiveCameras::isLooking);
+    };
     QVERIFY(QTest::qWaitFor(isFound, 30'000));
 }
 

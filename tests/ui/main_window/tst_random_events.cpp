@@ -120,7 +120,11 @@ private:
         QWidget *target = targets.at(below(int(targets.size())));
         const int kind = below(10);
         if (m_log.isOpen())
-            m_log.write(QStringLiteral("%1 %2 %3 %4\n").arg(m_left).arg(kind).arg(QLatin1String(target->metaObject()->className()), target->accessibleName()).toUtf8());
+            m_log.write(QStringLiteral("%1 %2 %3 %4\n")
+                            .arg(m_left)
+                            .arg(kind)
+                            .arg(QLatin1String(target->metaObject()->className()), target->accessibleName())
+                            .toUtf8());
         QWidget *focus = QApplication::focusWidget(); // what a dialog stands before gets no keys from anybody
         const bool isOpen = focus && (focus == top || top->isAncestorOf(focus));
         if (kind < 5)
@@ -130,21 +134,63 @@ private:
     }
     void pressKey(QWidget *target)
     {
-        static const QList<QKeyCombination> keys{
-            Qt::Key_Tab, Qt::Key_Tab, Qt::Key_Space, Qt::Key_Return, Qt::Key_Escape, Qt::Key_Left, Qt::Key_Right, Qt::Key_Up,
-            Qt::Key_Down, Qt::Key_Home, Qt::Key_End, Qt::Key_PageDown, Qt::Key_Delete, Qt::Key_Backspace, Qt::Key_F1,
-            Qt::Key_F2, Qt::Key_F9, Qt::Key_A, Qt::Key_D, Qt::Key_I, Qt::Key_O, Qt::Key_J, Qt::Key_K, Qt::Key_L, Qt::Key_U,
-            Qt::Key_X, Qt::Key_0, Qt::Key_1, Qt::Key_9, Qt::Key_Minus, Qt::Key_Percent, Qt::CTRL | Qt::Key_1,
-            Qt::CTRL | Qt::Key_2, Qt::CTRL | Qt::Key_3, Qt::CTRL | Qt::Key_4, Qt::CTRL | Qt::Key_5, Qt::CTRL | Qt::Key_Z,
-            Qt::CTRL | Qt::SHIFT | Qt::Key_Z, Qt::CTRL | Qt::Key_F, Qt::CTRL | Qt::Key_D, Qt::CTRL | Qt::Key_I,
-            Qt::CTRL | Qt::Key_T, Qt::CTRL | Qt::Key_E, Qt::CTRL | Qt::Key_L, Qt::CTRL | Qt::Key_A, Qt::CTRL | Qt::Key_Comma,
-            Qt::CTRL | Qt::Key_PageUp, Qt::CTRL | Qt::Key_PageDown, Qt::ALT | Qt::Key_Down, Qt::SHIFT | Qt::Key_Tab};
+        static const QList<QKeyCombination> keys{Qt::Key_Tab,
+                                                 Qt::Key_Tab,
+                                                 Qt::Key_Space,
+                                                 Qt::Key_Return,
+                                                 Qt::Key_Escape,
+                                                 Qt::Key_Left,
+                                                 Qt::Key_Right,
+                                                 Qt::Key_Up,
+                                                 Qt::Key_Down,
+                                                 Qt::Key_Home,
+                                                 Qt::Key_End,
+                                                 Qt::Key_PageDown,
+                                                 Qt::Key_Delete,
+                                                 Qt::Key_Backspace,
+                                                 Qt::Key_F1,
+                                                 Qt::Key_F2,
+                                                 Qt::Key_F9,
+                                                 Qt::Key_A,
+                                                 Qt::Key_D,
+                                                 Qt::Key_I,
+                                                 Qt::Key_O,
+                                                 Qt::Key_J,
+                                                 Qt::Key_K,
+                                                 Qt::Key_L,
+                                                 Qt::Key_U,
+                                                 Qt::Key_X,
+                                                 Qt::Key_0,
+                                                 Qt::Key_1,
+                                                 Qt::Key_9,
+                                                 Qt::Key_Minus,
+                                                 Qt::Key_Percent,
+                                                 Qt::CTRL | Qt::Key_1,
+                                                 Qt::CTRL | Qt::Key_2,
+                                                 Qt::CTRL | Qt::Key_3,
+                                                 Qt::CTRL | Qt::Key_4,
+                                                 Qt::CTRL | Qt::Key_5,
+                                                 Qt::CTRL | Qt::Key_Z,
+                                                 Qt::CTRL | Qt::SHIFT | Qt::Key_Z,
+                                                 Qt::CTRL | Qt::Key_F,
+                                                 Qt::CTRL | Qt::Key_D,
+                                                 Qt::CTRL | Qt::Key_I,
+                                                 Qt::CTRL | Qt::Key_T,
+                                                 Qt::CTRL | Qt::Key_E,
+                                                 Qt::CTRL | Qt::Key_L,
+                                                 Qt::CTRL | Qt::Key_A,
+                                                 Qt::CTRL | Qt::Key_Comma,
+                                                 Qt::CTRL | Qt::Key_PageUp,
+                                                 Qt::CTRL | Qt::Key_PageDown,
+                                                 Qt::ALT | Qt::Key_Down,
+                                                 Qt::SHIFT | Qt::Key_Tab};
         const QKeyCombination key = keys.at(below(int(keys.size())));
         QTest::keyClick(target, key.key(), key.keyboardModifiers());
     }
     void useMouse(QWidget *target, int kind)
     {
-        const QPoint at(below(target->width()), below(target->height())), to(below(target->width()), below(target->height()));
+        const QPoint at(below(target->width()), below(target->height())),
+            to(below(target->width()), below(target->height()));
         const QPointer<QWidget> alive(target);
         switch (kind) {
         case 5:

@@ -5,9 +5,9 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "ui/main_window/main_window.h"
-#include "ui/record/camera_choice.h"
+#include "ui/record/internal/camera_choice.h"
+#include "ui/record/internal/run_card.h"
 #include "ui/record/record_page.h"
-#include "ui/record/run_card.h"
 
 #include <QApplication>
 #include <QComboBox>

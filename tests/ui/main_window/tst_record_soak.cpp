@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A lesson's recordings, one after the other, through the whole window: what the program holds (memory, files,
-// threads) does not grow from trial to trial. ODOGRAPH_SOAK_TRIALS: how many, by default a few short ones;
-// ODOGRAPH_SOAK_MINUTES: how long they take together, half of it recorded.
+// A lesson's recordings, one after the other, through the whole window: what the program holds (memory,
+// files, threads) does not grow from trial to trial. ODOGRAPH_SOAK_TRIALS: how many, by default a few short
+// ones; ODOGRAPH_SOAK_MINUTES: how long they take together, half of it recorded.
 #include "core/base/memory_pools.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -9,7 +9,7 @@
 #include "tests/ui/support/circle_lesson.h"
 #include "tests/ui/support/driven_window.h"
 #include "ui/main_window/main_window.h"
-#include "ui/record/camera_choice.h"
+#include "ui/record/internal/camera_choice.h"
 #include "ui/record/record_page.h"
 
 #include <QApplication>
@@ -161,8 +161,8 @@ void TestRecordSoak::whatIsHeldStaysAsItIs()
                                    .arg(after.back().threads);
     }
 
-    // The first third fills caches; the last third is held against the middle one. Each by the least it held: what is
-    // held for a moment only (a thread that waits for more work, say) does not count.
+    // The first third fills caches; the last third is held against the middle one. Each by the least it held:
+    // what is held for a moment only (a thread that waits for more work, say) does not count.
     const std::size_t third = after.size() / 3;
     const auto least = [&](std::size_t from, auto part) {
         double value = after[from].*part;

@@ -3,8 +3,8 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/stored_example.h"
+#include "ui/main_window/internal/report_actions.h"
 #include "ui/main_window/main_window.h"
-#include "ui/main_window/report_actions.h"
 #include "ui/main_window/workspace.h"
 #include "ui/report/report_dialog.h"
 
@@ -51,7 +51,8 @@ private:
         for (auto *button : report->findChildren<QPushButton *>())
             if (button->isDefault() && button->isEnabled()) {
                 m_subject = report->proposedName();
-                QTimer::singleShot(0, button, &QPushButton::click); // what it opens is looked at by this timer
+                // what it opens is looked at by this timer
+                QTimer::singleShot(0, button, &QPushButton::click);
                 return;
             }
     }
@@ -110,7 +111,8 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(m_window->isSettled(), longestMs);
         Saver saver(path("comparison"));
         m_window->findChild<QAction *>(QStringLiteral("report"))->trigger();
-        QVERIFY2(saver.subject().startsWith(QStringLiteral("The comparison of")), qPrintable(saver.subject()));
+        QVERIFY2(saver.subject().startsWith(QStringLiteral("The comparison of")),
+                 qPrintable(saver.subject()));
         QTRY_VERIFY_WITH_TIMEOUT(isPdf(path("comparison.pdf")), longestMs); // the ending is put to it
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->workspace().isBusy(), longestMs);
     }
@@ -127,7 +129,8 @@ private Q_SLOTS:
     void chosenTrialsAreOneFile()
     {
         Saver saver(path("trials.pdf"));
-        m_window->findChild<ReportActions *>()->askTrials({QStringLiteral("Trial 1"), QStringLiteral("Trial 2")});
+        m_window->findChild<ReportActions *>()->askTrials(
+            {QStringLiteral("Trial 1"), QStringLiteral("Trial 2")});
         QTRY_VERIFY_WITH_TIMEOUT(isPdf(path("trials.pdf")), longestMs);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->workspace().isBusy(), longestMs);
     }

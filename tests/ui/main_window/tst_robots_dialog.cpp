@@ -5,8 +5,8 @@
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/stored_example.h"
-#include "ui/main_window/robots_dialog.h"
-#include "ui/views/robot_footprint.h"
+#include "ui/main_window/internal/robots_dialog.h"
+#include "ui/views/map/map_painting.h"
 
 #include <QApplication>
 #include <QComboBox>

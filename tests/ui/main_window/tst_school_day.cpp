@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A school day in the window, on the demo project: the roster of a class comes in, three runs are imported and
-// tracked, a spike is overruled, two runs are compared, the history is searched, and the project goes home in
-// one file. All the while the window answers.
+// A school day in the window, on the demo project: the roster of a class comes in, three runs are imported
+// and tracked, a spike is overruled, two runs are compared, the history is searched, and the project goes
+// home in one file. All the while the window answers.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "tests/support/demo_lesson.h"
@@ -12,13 +12,13 @@
 #include "tests/ui/support/person.h"
 #include "ui/compare/compare_page.h"
 #include "ui/history/history_page.h"
-#include "ui/main_window/import_trial_dialog.h"
+#include "ui/main_window/internal/import_trial_dialog.h"
+#include "ui/main_window/internal/window_bars.h"
 #include "ui/main_window/main_window.h"
-#include "ui/main_window/message_bar.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/timeline.h"
 #include "ui/review/review_page.h"
-#include "ui/views/path_field.h"
+#include "ui/views/widgets/path_field.h"
 
 #include <QAction>
 #include <QApplication>
@@ -101,7 +101,8 @@ void TestSchoolDay::theRosterComesIn()
     roster.close();
     command("importRoster", {chooseFile(roster.fileName())});
     const auto classes = project().teams().classes();
-    QVERIFY2(classes && std::ranges::find(*classes, std::string("10A")) != classes->end(), qPrintable(message()));
+    QVERIFY2(classes && std::ranges::find(*classes, std::string("10A")) != classes->end(),
+             qPrintable(message()));
     QVERIFY(project().teams().find("Marten"));
 }
 
@@ -138,8 +139,9 @@ void TestSchoolDay::threeRunsAreImportedAndTracked()
         command("track", {[&](QDialog &dialog) {
                     auto *list = dialog.findChild<QListWidget *>();
                     for (int row = 0; row < list->count(); ++row)
-                        list->item(row)->setCheckState(
-                            list->item(row)->text() == QLatin1String(robots[i]) ? Qt::Checked : Qt::Unchecked);
+                        list->item(row)->setCheckState(list->item(row)->text() == QLatin1String(robots[i])
+                                                           ? Qt::Checked
+                                                           : Qt::Unchecked);
                     press(dialog);
                 }});
         const auto analyses = project().analyses().current(stored->id);
@@ -204,7 +206,8 @@ void TestSchoolDay::theProjectGoesHome()
     const auto trials = project().trials().all()->size();
     command("pack", {chooseFile(path(QStringLiteral("lesson")))});
     QVERIFY2(message().startsWith(QStringLiteral("The project is packed into ")), qPrintable(message()));
-    command("unpack", {chooseFile(path(QStringLiteral("lesson.zip"))), chooseFile(path(QStringLiteral("home")))});
+    command("unpack",
+            {chooseFile(path(QStringLiteral("lesson.zip"))), chooseFile(path(QStringLiteral("home")))});
     QVERIFY(QString::fromStdString(project().file().string()).startsWith(path(QStringLiteral("home"))));
     QCOMPARE(project().trials().all()->size(), trials);
     QVERIFY(m_window->showTrial("Marten 1"));

@@ -5,8 +5,8 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/stored_example.h"
+#include "ui/main_window/internal/window_bars.h"
 #include "ui/main_window/main_window.h"
-#include "ui/main_window/message_bar.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/timeline.h"
 #include "ui/review/review_page.h"
@@ -46,7 +46,8 @@ private Q_SLOTS:
         QTRY_VERIFY(hasFlag(flags(), SampleFlag::ByHand) && isRejected(flags()));
         QCOMPARE(review->timeline().currentFrame(), 12); // one looks at what one has done
         const QString told = window.findChild<MessageBar *>()->text();
-        QVERIFY2(told.startsWith(QStringLiteral("The sample at")) && told.contains(QStringLiteral("is not used")),
+        QVERIFY2(told.startsWith(QStringLiteral("The sample at")) &&
+                     told.contains(QStringLiteral("is not used")),
                  qPrintable(told));
         const auto trial = window.workspace().project()->trials().find("Trial 1");
         QVERIFY(trial);
@@ -55,7 +56,8 @@ private Q_SLOTS:
         window.findChild<QAction *>(QStringLiteral("redo"))->trigger();
         QTRY_VERIFY(window.isSettled() && hasFlag(flags(), SampleFlag::ByHand));
         QTest::keyClick(review, Qt::Key_Backspace);
-        QTRY_VERIFY(!window.workspace().isBusy() && window.isSettled() && !hasFlag(flags(), SampleFlag::ByHand));
+        QTRY_VERIFY(!window.workspace().isBusy() && window.isSettled() &&
+                    !hasFlag(flags(), SampleFlag::ByHand));
     }
 };
 

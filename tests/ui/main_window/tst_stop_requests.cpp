@@ -7,8 +7,8 @@
 #include "tests/ui/support/circle_lesson.h"
 #include "tests/ui/support/driven_window.h"
 #include "ui/main_window/main_window.h"
-#include "ui/main_window/stop_requests.h"
-#include "ui/record/camera_choice.h"
+#include "ui/main_window/program_ends.h"
+#include "ui/record/internal/camera_choice.h"
 #include "ui/record/record_page.h"
 
 #include <QApplication>

@@ -8,8 +8,8 @@
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/stored_example.h"
+#include "ui/main_window/internal/window_bars.h"
 #include "ui/main_window/main_window.h"
-#include "ui/main_window/message_bar.h"
 #include "ui/main_window/workspace.h"
 
 #include <QApplication>
@@ -107,7 +107,8 @@ void TestTransfer::aProjectIsNeverReplaced()
     watch.start(std::chrono::milliseconds(20));
     run(action.toUtf8().constData(), {chooseFile(taken.fileName())});
     QVERIFY(!isAsked);
-    QTRY_VERIFY2(message().contains(QStringLiteral("taken.odo")) && message().contains(QStringLiteral("a file of that name is there already")),
+    QTRY_VERIFY2(message().contains(QStringLiteral("taken.odo")) &&
+                     message().contains(QStringLiteral("a file of that name is there already")),
                  qPrintable(message()));
     QVERIFY(taken.open(QIODevice::ReadOnly));
     QCOMPARE(taken.readAll(), QByteArray("precious"));
@@ -118,7 +119,8 @@ void TestTransfer::theNextYearBeginsWithTheSetUp()
     QVERIFY(!m_window->workspace().project()->teams().all()->empty());
     const std::size_t cameras = m_window->workspace().project()->cameras().all()->size();
     run("New project from this one…", {chooseFile(path("next year"))});
-    QTRY_COMPARE(QString::fromStdString(m_window->workspace().project()->file().string()), path("next year.odo"));
+    QTRY_COMPARE(QString::fromStdString(m_window->workspace().project()->file().string()),
+                 path("next year.odo"));
     QCOMPARE(m_window->workspace().project()->title().value(), std::string("next year"));
     QCOMPARE(m_window->workspace().project()->cameras().all()->size(), cameras);
     QVERIFY(m_window->workspace().project()->teams().all()->empty());
@@ -198,7 +200,8 @@ void TestTransfer::lostVideosAreFound()
 void TestTransfer::strayFilesBecomeTrialsOrGo()
 {
     run("Find stray files…", {});
-    QCOMPARE(message(), QStringLiteral("Every file in the media folder belongs to a trial, a lens calibration or a floor registration."));
+    QCOMPARE(message(), QStringLiteral("Every file in the media folder belongs to a trial, a lens "
+                                       "calibration or a floor registration."));
     Project &project = *m_window->workspace().project();
     const QDir media(QString::fromStdString(project.mediaFolder().string()));
     const QStringList videos = media.entryList({QStringLiteral("*.mkv")});
@@ -210,7 +213,8 @@ void TestTransfer::strayFilesBecomeTrialsOrGo()
     QVERIFY(notes.copy(media.filePath(QStringLiteral("broken_A.mkv"))));
     answerStrays([](QDialog &dialog) {
         const auto &box = static_cast<QMessageBox &>(dialog);
-        QVERIFY2(box.detailedText().contains(QStringLiteral("lap_A.mkv")) && box.detailedText().contains(QStringLiteral("notes.txt")),
+        QVERIFY2(box.detailedText().contains(QStringLiteral("lap_A.mkv")) &&
+                     box.detailedText().contains(QStringLiteral("notes.txt")),
                  qPrintable(box.detailedText()));
         pressButton(QStringLiteral("Add videos as trials"))(dialog);
     });

@@ -3,10 +3,10 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/export_job.h"
-#include "core/workflow/reprocess_job.h"
+#include "core/workflow/track/reanalysis.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
-#include "ui/main_window/trial_batch.h"
+#include "ui/main_window/internal/class_actions.h"
 #include "ui/main_window/workspace.h"
 
 #include <QApplication>

@@ -5,8 +5,8 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/stored_example.h"
+#include "ui/main_window/internal/window_bars.h"
 #include "ui/main_window/main_window.h"
-#include "ui/main_window/message_bar.h"
 #include "ui/main_window/workspace.h"
 
 #include <QApplication>
@@ -62,7 +62,8 @@ private Q_SLOTS:
         MainWindow window;
         QVERIFY(window.openProject(folder / "example.odo"));
         QVERIFY(!window.workspace().isReadOnly());
-        QVERIFY2(message(window).startsWith(QLatin1String("project 'example.odo': it lies in a folder that Dropbox copies")),
+        QVERIFY2(message(window).startsWith(
+                     QLatin1String("project 'example.odo': it lies in a folder that Dropbox copies")),
                  qPrintable(message(window)));
         std::filesystem::remove_all(folder);
     }

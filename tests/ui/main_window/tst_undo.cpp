@@ -7,8 +7,8 @@
 #include "tests/ui/support/project_content.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/history/history_page.h"
+#include "ui/main_window/internal/window_bars.h"
 #include "ui/main_window/main_window.h"
-#include "ui/main_window/message_bar.h"
 #include "ui/main_window/workspace.h"
 
 #include <QApplication>

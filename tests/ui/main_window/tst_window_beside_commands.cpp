@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A window that holds a project while subcommands write to it, each a process of its own; either is killed now and then. What
-// either has said to be saved is there afterwards, and each sees what the other saved. The window is this program, called with
-// the project: it does what is written to it, a line a deed, and says a line for each that is saved, or that it sees.
+// A window that holds a project while subcommands write to it, each a process of its own; either is killed
+// now and then. What either has said to be saved is there afterwards, and each sees what the other saved. The
+// window is this program, called with the project: it does what is written to it, a line a deed, and says a
+// line for each that is saved, or that it sees.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "tests/support/program.h"
@@ -121,7 +122,8 @@ public:
     bool quits()
     {
         send("quit");
-        return m_process.waitForFinished(20000) && m_process.exitStatus() == QProcess::NormalExit && m_process.exitCode() == 0;
+        return m_process.waitForFinished(20000) && m_process.exitStatus() == QProcess::NormalExit &&
+               m_process.exitCode() == 0;
     }
 
 private:
@@ -141,7 +143,8 @@ private Q_SLOTS:
         QVERIFY(track.open(QIODevice::WriteOnly));
         track.write("t_s,x_mm,y_mm\n");
         for (int i = 0; i < 180; ++i)
-            track.write(QByteArray::number(i / 30.0, 'f', 4) + ',' + QByteArray::number(500 * std::cos(i / 30.0), 'f', 3) + ',' +
+            track.write(QByteArray::number(i / 30.0, 'f', 4) + ',' +
+                        QByteArray::number(500 * std::cos(i / 30.0), 'f', 3) + ',' +
                         QByteArray::number(500 * std::sin(i / 30.0), 'f', 3) + '\n');
     }
 
@@ -168,10 +171,16 @@ private Q_SLOTS:
         for (int step = 0; step < 8; ++step) {
             switch (random() % 6) {
             case 0:
-            case 1: edit(*window, step, random() % 2 == 0); break;
+            case 1:
+                edit(*window, step, random() % 2 == 0);
+                break;
             case 2:
-            case 3: import(*window, step); break;
-            case 4: killACommand(step, int(random() % 60)); break;
+            case 3:
+                import(*window, step);
+                break;
+            case 4:
+                killACommand(step, int(random() % 60));
+                break;
             case 5:
                 if (random() % 2 == 0)
                     window->kill();
@@ -197,15 +206,18 @@ private:
         QVERIFY2(window.says(QByteArray::fromStdString("changed " + name), 10000), window.said().constData());
         m_teams.insert(name); // it is in the log, which no kill of a process takes away
         if (waitsUntilSaved)
-            QVERIFY2(window.says(QByteArray::fromStdString("saved " + name), 10000), window.said().constData());
+            QVERIFY2(window.says(QByteArray::fromStdString("saved " + name), 10000),
+                     window.said().constData());
         const auto seen = runProgram({QStringLiteral("list"), m_project, QStringLiteral("--json")});
         QVERIFY2(seen.exitStatus == 0, seen.err.constData());
     }
 
     QStringList importing(int step) const
     {
-        return {QStringLiteral("import"), m_project, QStringLiteral("--trial"), QStringLiteral("beside %1").arg(step), QStringLiteral("--track"),
-                QStringLiteral("R=") + m_folder.filePath(QStringLiteral("track.csv"))};
+        return {
+            QStringLiteral("import"),  m_project,
+            QStringLiteral("--trial"), QStringLiteral("beside %1").arg(step),
+            QStringLiteral("--track"), QStringLiteral("R=") + m_folder.filePath(QStringLiteral("track.csv"))};
     }
 
     void import(Window &window, int step)
@@ -214,7 +226,8 @@ private:
         QVERIFY2(done.exitStatus == 0, done.err.constData());
         m_trials.insert("beside " + std::to_string(step));
         constexpr int seenWithinMs = 2000;
-        QVERIFY2(window.says("sees beside " + QByteArray::number(step), seenWithinMs), window.said().constData());
+        QVERIFY2(window.says("sees beside " + QByteArray::number(step), seenWithinMs),
+                 window.said().constData());
     }
 
     void killACommand(int step, int afterMs) const

@@ -1,26 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/simulation/board_poses.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
-#include "core/workflow/cameras.h"
+#include "core/workflow/calibrate/cameras.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/project_content.h"
-#include "ui/main_window/import_trial_dialog.h"
-#include "ui/main_window/job_indicator.h"
+#include "ui/main_window/internal/import_trial_dialog.h"
+#include "ui/main_window/internal/window_bars.h"
 #include "ui/main_window/main_window.h"
-#include "ui/main_window/message_bar.h"
 #include "ui/main_window/workspace.h"
-#include "ui/testbed/floor/floor_source_page.h"
 #include "ui/testbed/floor/floor_wizard.h"
-#include "ui/testbed/lens/lens_source_page.h"
 #include "ui/testbed/lens/lens_wizard.h"
-#include "ui/views/path_field.h"
+#include "ui/views/widgets/path_field.h"
 
 #include <QAction>
 #include <QApplication>
@@ -46,9 +42,10 @@ void setFile(QDialog &dialog, int number, const QString &file)
 /// Until the default button can be pressed.
 void waitForNext(QDialog &dialog)
 {
-    QTRY_VERIFY_WITH_TIMEOUT(std::ranges::any_of(dialog.findChildren<QPushButton *>(),
-                                                 [](auto *button) { return button->isDefault() && button->isEnabled(); }),
-                             60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        std::ranges::any_of(dialog.findChildren<QPushButton *>(),
+                            [](auto *button) { return button->isDefault() && button->isEnabled(); }),
+        60'000);
 }
 
 /// A wizard writes its pictures before it closes.
@@ -211,9 +208,11 @@ void TestWindowFlows::registersANewCameraFromVideo()
     const QStringList before = content();
     run("Register camera…", {[&](QDialog &dialog) {
             begin(dialog, QStringLiteral("A"), QStringLiteral("novideo.mkv"));
-            QTRY_VERIFY_WITH_TIMEOUT(std::ranges::any_of(dialog.findChildren<QLabel *>(),
-                                                         [](auto *label) { return label->text().contains(QStringLiteral("not a video")); }),
-                                     60'000);
+            QTRY_VERIFY_WITH_TIMEOUT(
+                std::ranges::any_of(
+                    dialog.findChildren<QLabel *>(),
+                    [](auto *label) { return label->text().contains(QStringLiteral("not a video")); }),
+                60'000);
             dialog.reject();
         }});
     QCOMPARE(content(), before);
@@ -224,7 +223,8 @@ void TestWindowFlows::registersANewCameraFromVideo()
                 press(dialog);
                 waitUntilClosed(dialog);
             }});
-        QVERIFY2(message().startsWith(QStringLiteral("Camera %1 is registered.").arg(camera)), qPrintable(message()));
+        QVERIFY2(message().startsWith(QStringLiteral("Camera %1 is registered.").arg(camera)),
+                 qPrintable(message()));
     }
     QCOMPARE(project().cameras().all()->size(), std::size_t(2));
 }
@@ -300,7 +300,8 @@ void TestWindowFlows::importsATrial()
     const auto found = project().trials().find("found");
     QVERIFY2(found, qPrintable(message()));
     QCOMPARE(project().trials().recordings(found->id)->size(), std::size_t(2));
-    QTRY_VERIFY2(m_window->windowTitle().contains(QLatin1String("found")), qPrintable(m_window->windowTitle()));
+    QTRY_VERIFY2(m_window->windowTitle().contains(QLatin1String("found")),
+                 qPrintable(m_window->windowTitle()));
 }
 
 void TestWindowFlows::refusesABadTrial_data()
@@ -333,7 +334,8 @@ void TestWindowFlows::refusesABadTrial()
 void TestWindowFlows::cancelsTracking()
 {
     QVERIFY(m_window->showTrial("told"));
-    QTRY_VERIFY2(m_window->windowTitle().contains(QLatin1String("told")), qPrintable(m_window->windowTitle()));
+    QTRY_VERIFY2(m_window->windowTitle().contains(QLatin1String("told")),
+                 qPrintable(m_window->windowTitle()));
     const QStringList before = content();
     runAndCancel("Track…", press);
     QCOMPARE(message(), QStringLiteral("Cancelled. Nothing was changed."));

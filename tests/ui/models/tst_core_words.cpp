@@ -3,27 +3,24 @@
 // changed there alone is noticed.
 #include "core/base/shortage.h"
 #include "core/base/units.h"
-#include "core/calibration/accuracy_words.h"
-#include "core/calibration/calibration_verdict.h"
+#include "core/calibration/accuracy_map.h"
 #include "core/calibration/floor_registration.h"
-#include "core/calibration/known_length.h"
-#include "core/calibration/marker_order.h"
-#include "core/calibration/moved_check.h"
-#include "core/calibration/typical_testbed.h"
+#include "core/calibration/internal/plane_pose.h"
+#include "core/calibration/intrinsic_calibration.h"
+#include "core/calibration/lens_influence.h"
+#include "core/calibration/registration_checks.h"
 #include "core/capture/setup_checks.h"
 #include "core/exchange/roster_csv.h"
 #include "core/project/project.h"
+#include "core/trajectory/internal/spike_flags.h"
 #include "core/trajectory/occlusions.h"
-#include "core/trajectory/spike_flags.h"
-#include "core/trajectory/unseen_stretches.h"
 #include "core/video/video_reader.h"
-#include "core/workflow/live_tracking.h"
-#include "core/workflow/profile_change.h"
-#include "core/workflow/track_warnings.h"
+#include "core/workflow/record/live_tracking.h"
+#include "core/workflow/track/reanalysis.h"
+#include "core/workflow/track/track_warnings.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/core_words.h"
-#include "ui/models/error_words.h"
 
 #include <QCoreApplication>
 #include <QHash>
@@ -212,7 +209,8 @@ std::vector<std::string> analysisSentences()
         for (const int count : {1, 3}) {
             AnalysisRecord analysis;
             analysis.robotName = "Hall";
-            analysis.doubtfulNames.assign(std::size_t(count), {Nanoseconds(3'204'000'000), Nanoseconds(3'898'000'000), {}, others});
+            analysis.doubtfulNames.assign(
+                std::size_t(count), {Nanoseconds(3'204'000'000), Nanoseconds(3'898'000'000), {}, others});
             analysis.views = {"A", "B"}; // which have it far apart, or contradict one another
             Sample apart;
             apart.flags = flagBit(SampleFlag::ViewsDisagree);
@@ -328,7 +326,8 @@ std::vector<std::string> errorSentences()
 {
     const TrialScenePtr scene = exampleScene({});
     const FloorView &view = *scene->views.front().floorView;
-    std::vector<Error> errors{machineSleptError(std::chrono::minutes(5)), slowCameraError("Left", 12, 30), noThread("the cameras")};
+    std::vector<Error> errors{machineSleptError(std::chrono::minutes(5)), slowCameraError("Left", 12, 30),
+                              noThread("the cameras")};
     const auto add = [&](const auto &result) {
         if (!result)
             errors.push_back(result.error());
@@ -386,7 +385,8 @@ void TestCoreWords::figuresAndNamesGoOver()
     QCOMPARE(shownWords(std::string("views disagree by 84 mm; one left out")),
              QStringLiteral("84 mm Abweichung; eine weggelassen"));
     QCOMPARE(shownWords(std::string("in step to 1.2 ms")), QStringLiteral("synchron auf 1,2 ms"));
-    QCOMPARE(shownWords(std::string("it foretells pictures held out to 0.055 px, the fisheye one no better (0.059 px)")),
+    QCOMPARE(shownWords(std::string(
+                 "it foretells pictures held out to 0.055 px, the fisheye one no better (0.059 px)")),
              QStringLiteral("es sagt andere Bilder auf 0,055 px voraus, fisheye nicht besser (0,059 px)"));
     QCOMPARE(shownWords(std::string("Not found again: O, U and V.")),
              QStringLiteral("Nicht gefunden: O, U und V."));
@@ -411,8 +411,8 @@ void TestCoreWords::whatIsNotKnownStays()
 void TestCoreWords::inEnglishNothingChanges()
 {
     QLocale::setDefault(QLocale(QLocale::German)); // of dates and of numbers, not of words
-    for (const auto &sentences :
-         {setupWords(), healthSentences(), spikeReasons(), occlusionReasons(), analysisSentences(), lensVerdicts(), floorWords(), errorSentences()})
+    for (const auto &sentences : {setupWords(), healthSentences(), spikeReasons(), occlusionReasons(),
+                                  analysisSentences(), lensVerdicts(), floorWords(), errorSentences()})
         for (const std::string &each : sentences)
             QCOMPARE(shownWords(each), QString::fromStdString(each));
     for (const CorePattern &pattern : corePatterns())

@@ -2,11 +2,11 @@
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/explanation.h"
 #include "ui/models/figure_text.h"
-#include "ui/models/scene_disagreement.h"
+#include "ui/models/scene_doubts.h"
 
-#include "core/trajectory/gate_passages.h"
-#include "core/trajectory/metrics.h"
-#include "core/trajectory/task_metrics.h"
+#include "core/analysis/gate_passages.h"
+#include "core/analysis/metrics.h"
+#include "core/analysis/task_metrics.h"
 #include "tests/support/registered_test.h"
 
 #include <QTest>
@@ -25,16 +25,15 @@ private Q_SLOTS:
         std::vector<Metric> metrics = measureRun(profile.samples, profile.points);
         QVERIFY(metrics.size() >= 14);
         // Those of a task, which are given only where a run has them.
-        for (const char *name :
-             {"circle_radius", "gate_time", "laps", "best_lap", "mean_lap", "cross_track_mean",
-              "cross_track_rms", "cross_track_max", "cross_track_bias", "path_completed",
-              "zone_breaches", "zone_time", "zone_depth"})
+        for (const char *name : {"circle_radius", "gate_time", "laps", "best_lap", "mean_lap",
+                                 "cross_track_mean", "cross_track_rms", "cross_track_max", "cross_track_bias",
+                                 "path_completed", "zone_breaches", "zone_time", "zone_depth"})
             metrics.push_back({name, "m", 1, 0.1});
         for (const Metric &metric : metrics) {
             const Explanation explanation = explainMetric(*m_scene, 0, metric);
             QVERIFY2(!explanation.formula.isEmpty(), metric.name.c_str());
-            const bool isCount =
-                metric.name == "stops" || metric.name == "laps" || metric.name == "path_completed" || metric.name == "zone_breaches";
+            const bool isCount = metric.name == "stops" || metric.name == "laps" ||
+                                 metric.name == "path_completed" || metric.name == "zone_breaches";
             QVERIFY2(!metric.sigma || isCount || !explanation.uncertainty.isEmpty(), metric.name.c_str());
             QVERIFY(explanation.text().startsWith(metricName(metric.name) + QStringLiteral(": ")));
         }
@@ -47,7 +46,8 @@ private Q_SLOTS:
         scene->robots[0].analysis->task = 7;
         scene->task->zones = {rectangularZone("Nowhere", ZoneRule::StayInside, {90, 90}, {91, 91})};
         const Explanation explanation = explainMetric(*scene, 0, {"zone_time", "s", 1, 0.1});
-        QVERIFY2(explanation.inputs.first().startsWith(QStringLiteral("Nowhere: from ")), qPrintable(explanation.text()));
+        QVERIFY2(explanation.inputs.first().startsWith(QStringLiteral("Nowhere: from ")),
+                 qPrintable(explanation.text()));
         scene->task->zones = {rectangularZone("All", ZoneRule::StayInside, {-90, -90}, {90, 90})};
         QVERIFY(zoneBreachLines(*scene, 0).isEmpty());
         scene->task->zones = {rectangularZone("Nowhere", ZoneRule::StayInside, {90, 90}, {91, 91})};
@@ -57,9 +57,10 @@ private Q_SLOTS:
     void aCurveIsExplainedWhereTheCursorStands()
     {
         const Profile &profile = m_scene->robots[0].analysis->profile;
-        for (const Quantity quantity : {Quantity::Speed, Quantity::Acceleration, Quantity::Heading, Quantity::TurnRate,
-                                        Quantity::PositionX, Quantity::PositionY}) {
-            const Explanation told = explainCurve(*m_scene, 0, quantity, profile.samples[100].time, QStringLiteral("1 m/s"));
+        for (const Quantity quantity : {Quantity::Speed, Quantity::Acceleration, Quantity::Heading,
+                                        Quantity::TurnRate, Quantity::PositionX, Quantity::PositionY}) {
+            const Explanation told =
+                explainCurve(*m_scene, 0, quantity, profile.samples[100].time, QStringLiteral("1 m/s"));
             QVERIFY(!told.formula.isEmpty() && !told.uncertainty.isEmpty());
             QCOMPARE(told.value, QStringLiteral("1 m/s"));
             QVERIFY2(told.inputs.first().startsWith(QStringLiteral("measured there: ")) ||

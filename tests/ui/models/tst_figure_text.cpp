@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/registered_test.h"
 #include "ui/models/figure_text.h"
-#include "ui/models/shown_units.h"
 
 #include <QApplication>
 #include <QScopeGuard>
@@ -83,9 +82,10 @@ private Q_SLOTS:
         QTest::newRow("in") << QStringLiteral("in") << QStringLiteral("6.00 ±0.07\u00a0ft/s")
                             << QStringLiteral("8.33 ±0.03\u00a0ft") << QStringLiteral("1.00\u00a0in")
                             << QStringLiteral("4.04\u00a0ft");
-        QTest::newRow("a word that is none") << QStringLiteral("furlong") << QStringLiteral("1.83 ±0.02\u00a0m/s")
-                                             << QStringLiteral("2.540 ±0.010\u00a0m")
-                                             << QStringLiteral("25.4\u00a0mm") << QStringLiteral("1.23\u00a0m");
+        QTest::newRow("a word that is none")
+            << QStringLiteral("furlong") << QStringLiteral("1.83 ±0.02\u00a0m/s")
+            << QStringLiteral("2.540 ±0.010\u00a0m") << QStringLiteral("25.4\u00a0mm")
+            << QStringLiteral("1.23\u00a0m");
     }
     void followsTheUnitsThatAreShown()
     {

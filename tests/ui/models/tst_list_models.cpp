@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
-#include "ui/models/camera_list_model.h"
-#include "ui/models/change_model.h"
-#include "ui/models/metric_model.h"
-#include "ui/models/name_list_model.h"
-#include "ui/models/shown_team.h"
-#include "ui/models/spike_model.h"
-#include "ui/models/standings_model.h"
+#include "ui/models/camera_lists.h"
+#include "ui/models/internal/row_table_model.h"
+#include "ui/models/project_changes.h"
+#include "ui/models/results.h"
+#include "ui/models/scene_doubts.h"
+#include "ui/models/shown_names.h"
 #include "ui/models/trial_model.h"
 
 #include <QAbstractItemModelTester>
@@ -81,8 +80,8 @@ private Q_SLOTS:
                     texts << QString::fromUtf8(file.readAll());
             return texts;
         };
-        const QStringList tests =
-            contents(QStringLiteral("tests"), {QStringLiteral("tst_*.cpp")}).filter(QStringLiteral("QAbstractItemModelTester"));
+        const QStringList tests = contents(QStringLiteral("tests"), {QStringLiteral("tst_*.cpp")})
+                                      .filter(QStringLiteral("QAbstractItemModelTester"));
         static const QRegularExpression definition(QStringLiteral(
             "class (\\w+)(?: final)? : public "
             "(?:QAbstract\\w*Model|RowTableModel|Q\\w*ProxyModel|QStandardItemModel|QStringListModel)\\b"));
@@ -135,8 +134,11 @@ private Q_SLOTS:
         QCOMPARE(model.summary(), QStringLiteral("2 flagged · 1 restored · 1 doubtful"));
         const QModelIndex doubt = model.index(1, SpikeModel::ReasonColumn);
         QCOMPARE(doubt.data().toString(), QStringLiteral("Which robot? Until 4.20\u00a0s"));
-        QCOMPARE(doubt.data(Qt::ToolTipRole).toString(), QStringLiteral("Red 2: from 3.41 s to 4.20 s it is doubtful whether this is Red 2 or Blue 1"));
-        QCOMPARE(doubt.data(SpikeModel::TimeRole).toLongLong(), scene->frameTimes()[102].count()); // the nearest frame
+        QCOMPARE(
+            doubt.data(Qt::ToolTipRole).toString(),
+            QStringLiteral("Red 2: from 3.41 s to 4.20 s it is doubtful whether this is Red 2 or Blue 1"));
+        // the nearest frame
+        QCOMPARE(doubt.data(SpikeModel::TimeRole).toLongLong(), scene->frameTimes()[102].count());
         QCOMPARE(doubt.data(SpikeModel::SampleIndexRole).toLongLong(), -1);
         QCOMPARE(model.index(1, SpikeModel::TimeColumn).data().toString(), QStringLiteral("3.40\u00a0s"));
     }
@@ -152,10 +154,15 @@ private Q_SLOTS:
         QCOMPARE(model.summary(), QStringLiteral("2 flagged · 1 restored · 1 hidden"));
         const QModelIndex hidden = model.index(1, SpikeModel::ReasonColumn);
         QCOMPARE(hidden.data().toString(), QStringLiteral("hidden behind Blue 1 in view A"));
-        QCOMPARE(hidden.data(Qt::ToolTipRole).toString(), QStringLiteral("Red 2: hidden behind Blue 1 in view A (3.41\u00a0s to 4.20\u00a0s)"));
+        QCOMPARE(hidden.data(Qt::ToolTipRole).toString(),
+                 QStringLiteral("Red 2: hidden behind Blue 1 in view A (3.41\u00a0s to 4.20\u00a0s)"));
         QCOMPARE(hidden.data(SpikeModel::SampleIndexRole).toLongLong(), -1);
-        QVERIFY(!model.index(0, SpikeModel::ReasonColumn).data().toString().contains(QStringLiteral("hidden")));
-        QVERIFY(model.index(2, SpikeModel::ReasonColumn).data().toString().endsWith(QStringLiteral("; hidden behind Blue 1 in view A")));
+        QVERIFY(
+            !model.index(0, SpikeModel::ReasonColumn).data().toString().contains(QStringLiteral("hidden")));
+        QVERIFY(model.index(2, SpikeModel::ReasonColumn)
+                    .data()
+                    .toString()
+                    .endsWith(QStringLiteral("; hidden behind Blue 1 in view A")));
     }
     void names()
     {
@@ -205,14 +212,22 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("shown");
-        QTest::addRow("nothing typed") << "" << "abc";
-        QTest::addRow("a name of a team, small letters") << "falcon" << "abc";
-        QTest::addRow("notes and a robot, in any order") << "blue WHEELS" << "abc";
-        QTest::addRow("a tag") << "wet" << "b";
-        QTest::addRow("a pseudonym") << "team four" << "a";
-        QTest::addRow("one word that is not there") << "falcon nobody" << "";
-        QTest::addRow("blanks") << "   " << "abc";
-        QTest::addRow("not across two fields") << "cFalcon" << "";
+        QTest::addRow("nothing typed") << ""
+                                       << "abc";
+        QTest::addRow("a name of a team, small letters") << "falcon"
+                                                         << "abc";
+        QTest::addRow("notes and a robot, in any order") << "blue WHEELS"
+                                                         << "abc";
+        QTest::addRow("a tag") << "wet"
+                               << "b";
+        QTest::addRow("a pseudonym") << "team four"
+                                     << "a";
+        QTest::addRow("one word that is not there") << "falcon nobody"
+                                                    << "";
+        QTest::addRow("blanks") << "   "
+                                << "abc";
+        QTest::addRow("not across two fields") << "cFalcon"
+                                               << "";
     }
     void trialsAreFiltered()
     {
@@ -234,7 +249,8 @@ private Q_SLOTS:
     }
     void everyConditionOfAFilterHolds()
     {
-        TrialRow a = trialRow("a", 1, {}), b = trialRow("b", 2, {}), c = trialRow("c", 3, {}), d = trialRow("d", 4, {});
+        TrialRow a = trialRow("a", 1, {}), b = trialRow("b", 2, {}), c = trialRow("c", 3, {}),
+                 d = trialRow("d", 4, {});
         a.trial.className = b.trial.className = "9B";
         b.trial.starred = c.trial.starred = true;
         b.trial.task = "Slalom";
@@ -259,7 +275,8 @@ private Q_SLOTS:
         QCOMPARE(shown([](TrialFilter &f) { f.team = "Heron"; }), QString());
         QCOMPARE(shown([](TrialFilter &f) { f.robot = "Blue 1"; }), QStringLiteral("ab"));
         QCOMPARE(shown([](TrialFilter &f) { f.robot = "Blue"; }), QString());
-        QCOMPARE(shown([](TrialFilter &f) { f.from = Instant(std::chrono::minutes(2)); }), QStringLiteral("b"));
+        QCOMPARE(shown([](TrialFilter &f) { f.from = Instant(std::chrono::minutes(2)); }),
+                 QStringLiteral("b"));
         QCOMPARE(shown([](TrialFilter &f) { f.to = Instant(std::chrono::minutes(2)); }), QStringLiteral("a"));
     }
     void cellsOfATrialAreChanged()
@@ -268,14 +285,16 @@ private Q_SLOTS:
         QAbstractItemModelTester tester(&model, strict);
         model.setRows({trialRow("a", 1, {}), trialRow("b", 2, {})});
         model.sort(TrialModel::NameColumn);
-        const QModelIndex star = model.index(1, TrialModel::StarColumn), tags = model.index(1, TrialModel::TagsColumn);
+        const QModelIndex star = model.index(1, TrialModel::StarColumn),
+                          tags = model.index(1, TrialModel::TagsColumn);
         QVERIFY(!model.setData(star, Qt::Checked, Qt::CheckStateRole)); // the project may be read only
         model.setEditable(true);
         QSignalSpy starred(&model, &TrialModel::starWanted), tagged(&model, &TrialModel::tagsWanted);
         QVERIFY(model.setData(star, Qt::Checked, Qt::CheckStateRole));
         QCOMPARE(starred.value(0), QVariantList({qint64(2), true}));
         QVERIFY(model.setData(tags, QStringLiteral(" wet , , final ")));
-        QCOMPARE(tagged.value(0).value(1).toStringList(), (QStringList{QStringLiteral("wet"), QStringLiteral("final")}));
+        QCOMPARE(tagged.value(0).value(1).toStringList(),
+                 (QStringList{QStringLiteral("wet"), QStringLiteral("final")}));
         TrialRow b = trialRow("b", 2, {});
         b.trial.starred = true;
         QSignalSpy changed(&model, &TrialModel::dataChanged);
@@ -304,13 +323,16 @@ private Q_SLOTS:
     }
     void errorsNameTeamsAsTheyAreShown()
     {
-        const std::vector<TeamRecord> teams{{1, "Anna and Ben", "9B", "Team 4", {"Anna", "Ben"}}, {2, "Owl", "9B"}};
-        const Error error{ErrorCode::InvalidInput, "team 'Anna and Ben'", "'Anna' is there twice, as in 'Owl'", "rename 'Ben'"};
+        const std::vector<TeamRecord> teams{{1, "Anna and Ben", "9B", "Team 4", {"Anna", "Ben"}},
+                                            {2, "Owl", "9B"}};
+        const Error error{ErrorCode::InvalidInput, "team 'Anna and Ben'",
+                          "'Anna' is there twice, as in 'Owl'", "rename 'Ben'"};
         const auto words = [&error](const std::vector<TeamRecord> &known) {
             const Error shown = shownError(error, known);
             return QString::fromStdString(shown.what + "|" + shown.why + "|" + shown.advice);
         };
-        const QString told = QStringLiteral("team 'Anna and Ben'|'Anna' is there twice, as in 'Owl'|rename 'Ben'");
+        const QString told =
+            QStringLiteral("team 'Anna and Ben'|'Anna' is there twice, as in 'Owl'|rename 'Ben'");
         QCOMPARE(words(teams), told);
         showPseudonyms(true);
         QCOMPARE(words(teams), QString::fromUtf8("team 'Team 4'|'…' is there twice, as in 'Owl'|rename '…'"));
@@ -338,11 +360,13 @@ private Q_SLOTS:
         model.sort(TrialModel::NameColumn, Qt::AscendingOrder);
         QCOMPARE(model.index(2, TrialModel::ScoreColumn).data().toString(), QStringLiteral("measure again"));
         QVERIFY(model.index(3, TrialModel::ScoreColumn).data().toString().isEmpty());
-        QCOMPARE(model.headerData(TrialModel::StarColumn, Qt::Horizontal, Qt::AccessibleTextRole).toString(), QStringLiteral("Star"));
+        QCOMPARE(model.headerData(TrialModel::StarColumn, Qt::Horizontal, Qt::AccessibleTextRole).toString(),
+                 QStringLiteral("Star"));
     }
     void changesAreLookedThrough()
     {
-        ChangeModel model({{Instant(), ChangeEntry::Kind::Undone, "star Trial 2"}, {Instant(), ChangeEntry::Kind::Made, "add robot Red"}});
+        ChangeModel model({{Instant(), ChangeEntry::Kind::Undone, "star Trial 2"},
+                           {Instant(), ChangeEntry::Kind::Made, "add robot Red"}});
         QAbstractItemModelTester tester(&model, strict);
         QCOMPARE(model.rowCount(), 2);
         QCOMPARE(model.index(0, ChangeModel::KindColumn).data().toString(), QStringLiteral("undone"));
@@ -380,7 +404,8 @@ private Q_SLOTS:
         QVERIFY(cell(StandingsModel::ProgressColumn).startsWith(QLatin1String("better: -3.0")) ||
                 cell(StandingsModel::ProgressColumn).startsWith(QString::fromUtf8("better: −3.0")));
         showPseudonyms(false);
-        model.setStandings(standingsOf(pointers, figures, {"", "Slalom", "max_speed"})); // the same figures, where more is better
+        // the same figures, where more is better
+        model.setStandings(standingsOf(pointers, figures, {"", "Slalom", "max_speed"}));
         QCOMPARE(cell(StandingsModel::TeamColumn), QStringLiteral("Falcon"));
         QVERIFY(cell(StandingsModel::ProgressColumn).startsWith(QLatin1String("worse: ")));
     }
@@ -409,7 +434,7 @@ private Q_SLOTS:
         scene->views[1].startOffset = std::chrono::milliseconds(100); // three frames later
         QCOMPARE(scene->frameAt(0, scene->frameTimes()[7]).value(), std::int64_t(7));
         QCOMPARE(scene->frameAt(1, scene->frameTimes()[7]).value(), std::int64_t(4));
-        QVERIFY(!scene->frameAt(1, scene->frameTimes()[0])); // it did not run yet
+        QVERIFY(!scene->frameAt(1, scene->frameTimes()[0]));         // it did not run yet
         scene->views[1].startOffset = std::chrono::milliseconds(20); // more than half a frame, less than one
         QCOMPARE(scene->frameAt(1, scene->frameTimes()[0]).value(), std::int64_t(0));
         QVERIFY(scene->observationAt(0, 0, 7));

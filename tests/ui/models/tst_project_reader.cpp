@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "tests/support/registered_test.h"
-#include "ui/models/project_reader.h"
+#include "ui/models/background_task.h"
 
 #include <QCoreApplication>
 #include <QTemporaryDir>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
-#include "ui/models/score_text.h"
+#include "ui/models/results.h"
 #include "ui/models/trial_scene.h"
 
 #include <QTest>
@@ -25,8 +25,9 @@ private Q_SLOTS:
         QCOMPARE(scoreFigure(score).smallPrint(), QString::fromUtf8("of 45 ±1.0"));
         const QStringList lines = scoreLines(score);
         QCOMPARE(lines.size(), 4);
-        QCOMPARE(lines[0], QString::fromUtf8("Start to finish 7.0 ±0.2\u00a0s: 15.0 ±1.0 of 30 points (30 points "
-                                             "at 4\u00a0s or less, none at 10\u00a0s or more)"));
+        QCOMPARE(lines[0],
+                 QString::fromUtf8("Start to finish 7.0 ±0.2\u00a0s: 15.0 ±1.0 of 30 points (30 points "
+                                   "at 4\u00a0s or less, none at 10\u00a0s or more)"));
         QVERIFY2(lines[1].endsWith(QString::fromUtf8(
                      "5 of 10 points (10 points at 100\u00a0% or more, none at 50\u00a0% or less)")),
                  qPrintable(lines[1]));

@@ -3,7 +3,7 @@
 #include "core/project/repositories.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
-#include "ui/models/camera_list_model.h"
+#include "ui/models/camera_lists.h"
 #include "ui/models/trial_model.h"
 
 #include <QApplication>

@@ -3,12 +3,11 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
-#include "ui/models/live_cameras.h"
-#include "ui/record/camera_choice_dialog.h"
-#include "ui/record/camera_wishes_dialog.h"
-#include "ui/record/doctor_dialog.h"
-#include "ui/record/running_cameras.h"
-#include "ui/views/fact_list.h"
+#include "ui/models/camera_lists.h"
+#include "ui/record/internal/camera_choice.h"
+#include "ui/record/internal/health_watch.h"
+#include "ui/record/internal/running_cameras.h"
+#include "ui/views/widgets/fact_list.h"
 
 #include <QApplication>
 #include <QCheckBox>

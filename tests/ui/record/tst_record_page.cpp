@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/internal/write_turn.h"
 #include "core/project/project.h"
-#include "core/project/recording_lock.h"
+#include "core/project/project_locks.h"
 #include "core/project/repositories.h"
-#include "core/project/write_turn.h"
 #include "tests/support/datagram_receiver.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/busy_watch.h"
 #include "tests/ui/support/circle_lesson.h"
 #include "tests/ui/support/person.h"
-#include "ui/record/live_map.h"
-#include "ui/record/live_picture_area.h"
+#include "ui/record/internal/health_watch.h"
+#include "ui/record/internal/live_board.h"
+#include "ui/record/internal/live_picture_area.h"
+#include "ui/record/internal/run_card.h"
+#include "ui/record/internal/run_results.h"
 #include "ui/record/record_page.h"
-#include "ui/record/run_card.h"
-#include "ui/record/run_result_card.h"
-#include "ui/record/start_card.h"
-#include "ui/record/trouble_bar.h"
 
 #include <QAction>
 #include <QApplication>
@@ -145,7 +144,8 @@ void TestRecordPage::recordsByKeyAndTheNextTeamIsUp()
         QTRY_VERIFY_WITH_TIMEOUT(picture->hasPicture(), startMs);
     // The robot's centre is known to some millimetres; what the filter is off in a curve adds some.
     QTRY_VERIFY_WITH_TIMEOUT(
-        std::abs((*part<LiveMap>()->place(0) - test::circleMiddle).norm() - test::circleRadiusM) < 0.02, startMs);
+        std::abs((*part<LiveMap>()->place(0) - test::circleMiddle).norm() - test::circleRadiusM) < 0.02,
+        startMs);
 
     const NextRun up = part<RunCard>()->run();
     QCOMPARE(up.team, std::string("Falcon"));
@@ -248,7 +248,8 @@ void TestRecordPage::theRobotOfTheTeamThatIsUpDrives()
     QTRY_VERIFY_WITH_TIMEOUT(trials().size() == 1 && trials().front().durationS > 4.5, runMs); // once round
     QTest::keyClick(m_page.get(), Qt::Key_F9);
     const auto *result = part<RunResultCard>();
-    QTRY_VERIFY2_WITH_TIMEOUT(result->words().startsWith(QStringLiteral("Final")), qPrintable(result->words()), runMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(result->words().startsWith(QStringLiteral("Final")),
+                              qPrintable(result->words()), runMs);
     const auto analyses = *m_project->analyses().current(trials().front().id);
     QCOMPARE(analyses.size(), std::size_t(1));
     const std::vector<ProfilePoint> &points = analyses.front().profile.points;
@@ -257,11 +258,14 @@ void TestRecordPage::theRobotOfTheTeamThatIsUpDrives()
     for (std::size_t i = 0; i < points.size(); ++i) {
         found += points[i].valid;
         if (points[i].valid)
-            worst = std::max(worst, std::abs((points[i].position - test::circleMiddle).norm() - test::circleRadiusM));
+            worst = std::max(
+                worst, std::abs((points[i].position - test::circleMiddle).norm() - test::circleRadiusM));
     }
     qInfo("%zu frames, found in %zu, at most %.1f mm beside the circle", points.size(), found, 1e3 * worst);
     // It was recorded from when the team was chosen on; two frames may have been on their way.
-    QVERIFY(points.size() >= 45 && found + 2 >= points.size() && double(found) >= 0.98 * double(points.size())); // a busy machine paints fewer
+    // a busy machine paints fewer
+    QVERIFY(points.size() >= 45 && found + 2 >= points.size() &&
+            double(found) >= 0.98 * double(points.size()));
     QVERIFY(worst <= 0.01);
 }
 
@@ -311,7 +315,9 @@ void TestRecordPage::closingWhileRecordingKeepsWhatThereIs()
     const auto recordings = m_project->trials().recordings(trials().front().id);
     for (const RecordingRecord &recording : *recordings)
         QVERIFY2(recording.frameTimes.size() > 10 && recording.bytes > 0, // a busy machine paints fewer
-                 qPrintable(QStringLiteral("%1 pictures, %2 bytes").arg(recording.frameTimes.size()).arg(recording.bytes)));
+                 qPrintable(QStringLiteral("%1 pictures, %2 bytes")
+                                .arg(recording.frameTimes.size())
+                                .arg(recording.bytes)));
 }
 
 void TestRecordPage::withoutCamerasItSaysSo()

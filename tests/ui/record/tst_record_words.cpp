@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/registered_test.h"
-#include "ui/record/camera_choice.h"
-#include "ui/record/health_words.h"
+#include "ui/record/internal/camera_choice.h"
+#include "ui/record/internal/health_words.h"
 
 #include <QTest>
 
@@ -51,7 +51,8 @@ void TestRecordWords::proposesCameras()
     const std::vector<CameraRecord> ab{{1, "A", ""}, {2, "B", ""}};
     QCOMPARE(proposeCameras(ab, simulated, {}), (Chosen{{"A", "sim:A"}, {"B", "sim:B"}}));
     QCOMPARE(proposeCameras(ab, real, {}), (Chosen{{"A", "v4l2:/dev/video0"}, {"B", "aravis:x"}}));
-    // What the project tells comes first, then what was chosen before on this machine; no device is two cameras.
+    // What the project tells comes first, then what was chosen before on this machine; no device is two
+    // cameras.
     QCOMPARE(proposeCameras({{1, "A", "aravis:x?rate=60"}, {2, "B", ""}}, real, {{"A", "v4l2:/dev/video0"}}),
              (Chosen{{"A", "aravis:x?rate=60"}, {"B", "v4l2:/dev/video0"}}));
     QCOMPARE(proposeCameras(ab, real, {{"A", "aravis:x"}, {"B", "gone"}}),

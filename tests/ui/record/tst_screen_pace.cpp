@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/record/screen_pace.h"
+#include "ui/record/internal/running_cameras.h"
 
 #include "tests/support/registered_test.h"
 

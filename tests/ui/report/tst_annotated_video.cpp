@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The annotated video of a trial: what its pictures show, their times, and what is left when it cannot be made.
+// The annotated video of a trial: what its pictures show, their times, and what is left when it cannot be
+// made.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/video/video_reader.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "tests/ui/support/stored_example.h"
-#include "ui/report/annotated_picture.h"
 #include "ui/report/annotated_video.h"
-#include "ui/views/theme.h"
+#include "ui/report/internal/annotated_picture.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QApplication>
 #include <QDir>
@@ -28,7 +29,8 @@ namespace {
 
 constexpr QSize smallSize{640, 360};
 
-bool hasColourNear(const QImage &image, const QPointF &place, const QColor &colour, int reach = 3, int tolerance = 60)
+bool hasColourNear(const QImage &image, const QPointF &place, const QColor &colour, int reach = 3,
+                   int tolerance = 60)
 {
     for (int y = -reach; y <= reach; ++y) {
         for (int x = -reach; x <= reach; ++x) {
@@ -52,7 +54,8 @@ int largestDifference(const QImage &a, const QImage &b)
     for (int y = 0; y < a.height(); ++y)
         for (int x = 0; x < a.width(); ++x) {
             const QColor p = a.pixelColor(x, y), q = b.pixelColor(x, y);
-            largest = std::max({largest, std::abs(p.red() - q.red()), std::abs(p.green() - q.green()), std::abs(p.blue() - q.blue())});
+            largest = std::max({largest, std::abs(p.red() - q.red()), std::abs(p.green() - q.green()),
+                                std::abs(p.blue() - q.blue())});
         }
     return largest;
 }
@@ -133,8 +136,9 @@ private Q_SLOTS:
     {
         AnnotatedVideoJob job("Trial 1", settings());
         std::vector<double> reported;
-        const auto made = runToEnd(
-            job, *m_project, {{}, [&](double fraction, const std::string &) { reported.push_back(fraction); }});
+        const auto made =
+            runToEnd(job, *m_project,
+                     {{}, [&](double fraction, const std::string &) { reported.push_back(fraction); }});
         QVERIFY2(made, made ? "" : made.error().message().c_str());
         QCOMPARE(left(), QStringList{QStringLiteral("run.mp4")});
         QCOMPARE(job.pictureCount(), 30);
@@ -192,15 +196,19 @@ private Q_SLOTS:
             const ProfilePoint &point = scene->robots[0].analysis->profile.points[40];
             for (std::size_t view = 0; view < 2; ++view) {
                 const Ellipse &seen = scene->observationAt(view, 0, 40)->ellipse;
-                const double scale = painter.fromPicture(view, {1, 0}).x() - painter.fromPicture(view, {0, 0}).x();
+                const double scale =
+                    painter.fromPicture(view, {1, 0}).x() - painter.fromPicture(view, {0, 0}).x();
                 const QPointF centre = painter.fromPicture(view, {seen.centrePx.x(), seen.centrePx.y()});
-                const QPointF end = centre + QPointF(std::cos(0.1), std::sin(0.1)) * (seen.semiMajorPx * scale);
+                const QPointF end =
+                    centre + QPointF(std::cos(0.1), std::sin(0.1)) * (seen.semiMajorPx * scale);
                 QVERIFY(hasColourNear(image, end, QColor(0x56, 0xb4, 0xe9))); // the outline
                 const Eigen::Vector2d later = scene->robots[0].analysis->profile.points[55].position;
                 const auto trail = scene->views[view].floorView->pixelFromWorld({later.x(), later.y(), 0.06});
-                QVERIFY(hasColourNear(image, painter.fromPicture(view, {trail->x(), trail->y()}), QColor(0x56, 0xb4, 0xe9)));
+                QVERIFY(hasColourNear(image, painter.fromPicture(view, {trail->x(), trail->y()}),
+                                      QColor(0x56, 0xb4, 0xe9)));
             }
-            QVERIFY(hasColourNear(image, painter.fromWorld(point.position), ThemeColours::of(lightPalette()).spike));
+            QVERIFY(hasColourNear(image, painter.fromWorld(point.position),
+                                  ThemeColours::of(lightPalette()).spike));
             // The cursor: a dot on the curve, and nothing there at another time.
             const QPointF dot = painter.fromChart(now, point.speedMps);
             QVERIFY(hasColourNear(image, dot, seriesColour(0, lightPalette())));
@@ -223,7 +231,8 @@ private Q_SLOTS:
         QVERIFY(!bare.hasMap() && !bare.hasChart());
         QCOMPARE(bare.floorSidePx(), 0);
         const AnnotatedPicture all(whole, look());
-        QVERIFY(bare.viewSizePx(0).width() > all.viewSizePx(0).width() || bare.viewSizePx(0) == all.viewSizePx(0));
+        QVERIFY(bare.viewSizePx(0).width() > all.viewSizePx(0).width() ||
+                bare.viewSizePx(0) == all.viewSizePx(0));
         TrialScene alone = *whole;
         alone.views.resize(1);
         alone.robots[0].observations.resize(1);
@@ -255,13 +264,16 @@ private Q_SLOTS:
             scene.trial.name = scene.trial.teamName = scene.views[0].camera = name;
             return painted(scene, Nanoseconds(0));
         };
-        const QImage plain = shown("Run"), markup = shown("<b>Run</b>"), endless = shown(std::string(10'000, 'W')),
-                     turned = shown("\u202eRun"); // NOLINT(misc-misleading-bidirectional): such a name is what is shown
-        QVERIFY(markup != plain); // the signs of it are shown
+        const QImage plain = shown("Run"), markup = shown("<b>Run</b>"),
+                     endless = shown(std::string(10'000, 'W')),
+                     turned = shown(
+                         "\u202eRun"); // NOLINT(misc-misleading-bidirectional): such a name is what is shown
+        QVERIFY(markup != plain);      // the signs of it are shown
         // Neither the time nor the other view is touched by a name.
         for (const QRect &place : {QRect(1000, 0, 280, 44), QRect(660, 60, 600, 300)})
             for (const QImage &other : {markup, endless, turned})
-                QVERIFY(largestDifference(other.copy(place), plain.copy(place)) <= 8); // edges are not smoothed alike each time
+                // edges are not smoothed alike each time
+                QVERIFY(largestDifference(other.copy(place), plain.copy(place)) <= 8);
     }
     void aThemeIsChosen()
     {
@@ -297,25 +309,31 @@ private Q_SLOTS:
         const std::string said = failure("Trial 1", settings());
         setrlimit(RLIMIT_FSIZE, &before);
         QVERIFY2(said.starts_with("cannot write the video " + file().string() + ": "), said.c_str());
-        QVERIFY2(said.ends_with("; check that the folder exists, may be written to and has room"), said.c_str());
+        QVERIFY2(said.ends_with("; check that the folder exists, may be written to and has room"),
+                 said.c_str());
         QCOMPARE(left(), QStringList());
     }
     void errorsAreSaid()
     {
         AnnotatedVideoSettings odd = settings(), fast = settings(), lost = settings(), again = settings();
         odd.sizePx = {641, 360};
-        QCOMPARE(failure("Trial 1", odd), std::string("annotated video of 'Trial 1': its size of 641x360 is odd, or not from "
-                                                      "320x180 to 3840x2160; choose another, such as 1920x1080"));
+        QCOMPARE(failure("Trial 1", odd),
+                 std::string("annotated video of 'Trial 1': its size of 641x360 is odd, or not from "
+                             "320x180 to 3840x2160; choose another, such as 1920x1080"));
         fast.speed = 2;
-        QCOMPARE(failure("Trial 1", fast), std::string("annotated video of 'Trial 1': its speed is not from 0.1 to 1; choose "
-                                                       "another, such as 0.25"));
+        QCOMPARE(failure("Trial 1", fast),
+                 std::string("annotated video of 'Trial 1': its speed is not from 0.1 to 1; choose "
+                             "another, such as 0.25"));
         const std::string said = failure("Trial 3", lost);
-        QVERIFY2(said.starts_with("annotated video of 'Trial 3': the recording of camera A is not at '"), said.c_str());
+        QVERIFY2(said.starts_with("annotated video of 'Trial 3': the recording of camera A is not at '"),
+                 said.c_str());
         const QString place = QString::fromStdString(said).section(u'\'', 3, 3);
         QDir().mkpath(QFileInfo(place).path());
-        QFile::link(QFileInfo(place).fileName(), place); // a loop: for whoever may look everywhere, what cannot be looked at
-        QCOMPARE(failure("Trial 3", lost), "file '" + place.toStdString() + "': it cannot be read (Too many levels of symbolic links); "
-                                                                           "check that you may read the file");
+        // a loop: for whoever may look everywhere, what cannot be looked at
+        QFile::link(QFileInfo(place).fileName(), place);
+        QCOMPARE(failure("Trial 3", lost), "file '" + place.toStdString() +
+                                               "': it cannot be read (Too many levels of symbolic links); "
+                                               "check that you may read the file");
         QFile::remove(place);
         again.target.existing = Existing::Refuse;
         std::ofstream(again.target.file) << "an older video";

@@ -4,8 +4,8 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/printed_text.h"
 #include "tests/ui/support/stored_example.h"
-#include "ui/models/shown_team.h"
-#include "ui/report/class_report.h"
+#include "ui/models/shown_names.h"
+#include "ui/report/internal/class_report.h"
 
 #include <QApplication>
 #include <QTemporaryDir>
@@ -70,7 +70,8 @@ private Q_SLOTS:
         const QString text = printedText(file);
         for (int team = 1; team <= 40; ++team)
             QVERIFY2(text.contains(QStringLiteral("Team %1 ").arg(team)), qPrintable(QString::number(team)));
-        for (const char *head : {"9B", "Task: Line", "by Time", "Median of all runs", "Middle half of the runs"})
+        for (const char *head :
+             {"9B", "Task: Line", "by Time", "Median of all runs", "Middle half of the runs"})
             QVERIFY2(text.contains(QLatin1String(head)), head);
     }
     void manyTeamsTakeMorePages()
@@ -91,8 +92,10 @@ private Q_SLOTS:
         QCOMPARE(printedWords(file).pageSizes.size(), 4);
         const QString text = printedText(file, 2);
         const TeamStanding &first = content->standings.teams.front();
-        for (const QString &words : {QString::fromStdString(first.team), QStringLiteral("Through the term"), QStringLiteral("Its trials"),
-                                     QString::fromStdString(first.runs.back().trial), QStringLiteral("class median")})
+        for (const QString &words :
+             {QString::fromStdString(first.team), QStringLiteral("Through the term"),
+              QStringLiteral("Its trials"), QString::fromStdString(first.runs.back().trial),
+              QStringLiteral("class median")})
             QVERIFY2(text.contains(words), qPrintable(words));
     }
     void pseudonymsAreShownWhereTheyAreWanted()
@@ -104,9 +107,11 @@ private Q_SLOTS:
     }
     void longNamesAreCut()
     {
-        const PrintedWords words = printedWords(printed(classPages(contentOf(12, true, std::string(10000, 'W')), {})));
+        const PrintedWords words =
+            printedWords(printed(classPages(contentOf(12, true, std::string(10000, 'W')), {})));
         for (const PrintedWord &word : words.words)
-            QVERIFY(QRectF(QPointF(30, 30), words.pageSizes.at(word.page - 1) - QSizeF(60, 60)).contains(word.box));
+            QVERIFY(QRectF(QPointF(30, 30), words.pageSizes.at(word.page - 1) - QSizeF(60, 60))
+                        .contains(word.box));
     }
     void whatIsAskedOfAProject()
     {
@@ -120,7 +125,8 @@ private Q_SLOTS:
         const auto no = [&](const ClassReportSettings &settings, const char *words) {
             const auto none = readClassContent(*project, settings);
             QCOMPARE(none.error().code, ErrorCode::NotFound);
-            QVERIFY2(QString::fromStdString(none.error().message()).contains(QLatin1String(words)), none.error().message().c_str());
+            QVERIFY2(QString::fromStdString(none.error().message()).contains(QLatin1String(words)),
+                     none.error().message().c_str());
         };
         no({"7C", {}, {}, false}, "the project has '9B'");
         no({"9B", "No such", {}, false}, "No such");

@@ -4,9 +4,8 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/printed_text.h"
 #include "tests/ui/support/stored_example.h"
-#include "ui/report/comparison_report.h"
-#include "ui/report/pdf_file.h"
-#include "ui/report/report_job.h"
+#include "ui/report/internal/comparison_report.h"
+#include "ui/report/report_output.h"
 
 #include <QApplication>
 #include <QTemporaryDir>
@@ -50,12 +49,15 @@ private Q_SLOTS:
         QCOMPARE(fontsNotEmbedded(file), QStringList());
         constexpr double margin = 30;
         for (const PrintedWord &word : words.words)
-            QVERIFY2(QRectF(QPointF(margin, margin), words.pageSizes.first() - QSizeF(2 * margin, 2 * margin)).contains(word.box),
+            QVERIFY2(QRectF(QPointF(margin, margin), words.pageSizes.first() - QSizeF(2 * margin, 2 * margin))
+                         .contains(word.box),
                      qPrintable(word.text));
         const QString text = printedText(file).simplified();
-        for (const char *part : {"Trial 1 and Blue 1 in Trial 2", "Falcon", "Heron", "Speed along the way", "Time difference, s", "Sectors, s",
-                                 "right − left", "aligned by the onset of motion"})
-            QVERIFY2(text.contains(QString::fromUtf8(part)), qPrintable(QString::fromUtf8(part) + QStringLiteral(" is not in ") + text));
+        for (const char *part :
+             {"Trial 1 and Blue 1 in Trial 2", "Falcon", "Heron", "Speed along the way", "Time difference, s",
+              "Sectors, s", "right − left", "aligned by the onset of motion"})
+            QVERIFY2(text.contains(QString::fromUtf8(part)),
+                     qPrintable(QString::fromUtf8(part) + QStringLiteral(" is not in ") + text));
         QVERIFY(text.contains(QStringLiteral("≈"))); // both have the same figures
         // The first run's name is at the left of the second's.
         const auto leftOf = [&words](const char *name) {
@@ -79,7 +81,8 @@ private Q_SLOTS:
         CompareSettings settings;
         settings.runs = {{"Trial 1", {}}, {"Trial 3", {}}};
         const QString file = m_folder.filePath(QStringLiteral("none.pdf"));
-        ReportJob job(comparisonReport(settings, {}), std::make_unique<PdfFile>(file.toStdString(), QStringLiteral("Test")));
+        ReportJob job(comparisonReport(settings, {}),
+                      std::make_unique<PdfFile>(file.toStdString(), QStringLiteral("Test")));
         QCOMPARE(runToEnd(job, *m_project, {}).error().code, ErrorCode::NotFound);
         QVERIFY(!QFileInfo::exists(file));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/report/printed_pages.h"
+#include "ui/report/report_output.h"
 
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/printed_text.h"
@@ -64,7 +64,8 @@ private Q_SLOTS:
         QVERIFY(!added);
         QCOMPARE(added.error().code, ErrorCode::Io);
         QCOMPARE(added.error().why, std::string("it cannot be reached"));
-        QCOMPARE(added.error().advice, std::string("look at the printer and its queue, or save the report as PDF"));
+        QCOMPARE(added.error().advice,
+                 std::string("look at the printer and its queue, or save the report as PDF"));
     }
 
     void withoutAPageNothingIsPrinted()

@@ -4,7 +4,6 @@
 #include "tests/ui/support/busy_watch.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/report/report_dialog.h"
-#include "ui/report/report_preview.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -33,23 +32,29 @@ class TestReportDialog : public QObject
     std::unique_ptr<Project> m_project; ///< the window has it open meanwhile
     std::unique_ptr<ReportDialog> m_dialog;
 
-    template <class Widget> Widget *named(const char *name) const
+    template <class Widget>
+    Widget *named(const char *name) const
     {
         for (Widget *widget : m_dialog->findChildren<Widget *>())
-            if (widget->accessibleName() == QString::fromUtf8(name) || widget->property("text").toString() == QString::fromUtf8(name))
+            if (widget->accessibleName() == QString::fromUtf8(name) ||
+                widget->property("text").toString() == QString::fromUtf8(name))
                 return widget;
         qFatal("no %s", name);
     }
     void open(const QList<ReportSubject> &subjects)
     {
-        const ReportChoices choices{{QStringLiteral("9B")}, {QStringLiteral("Figure eight, 2 laps")}, {"duration", "max_speed"}};
+        const ReportChoices choices{
+            {QStringLiteral("9B")}, {QStringLiteral("Figure eight, 2 laps")}, {"duration", "max_speed"}};
         m_dialog = std::make_unique<ReportDialog>(m_project->file(), subjects, choices);
         m_dialog->show();
         awaitPages();
     }
     void awaitPages() { QTRY_VERIFY_WITH_TIMEOUT(m_dialog->preview().isSettled(), longestMs); }
     int pages() const { return int(m_dialog->preview().pictures().size()); }
-    static ReportSubject trial(const char *name) { return {QStringLiteral("The trial"), QStringLiteral("run"), {name}, {}, false}; }
+    static ReportSubject trial(const char *name)
+    {
+        return {QStringLiteral("The trial"), QStringLiteral("run"), {name}, {}, false};
+    }
     static ReportSubject aClass() { return {QStringLiteral("A class"), {}, {}, {}, true}; }
     void choose(const char *box, int index) const
     {

@@ -2,13 +2,12 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/video/video_reader.h"
-#include "core/workflow/class_figures.h"
+#include "core/workflow/compare/trial_figures.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/printed_text.h"
 #include "tests/ui/support/stored_example.h"
-#include "ui/report/logo.h"
-#include "ui/report/pdf_file.h"
-#include "ui/report/report_job.h"
+#include "ui/report/report_output.h"
+#include "ui/report/report_settings.h"
 
 #include <QApplication>
 #include <QFile>
@@ -58,7 +57,9 @@ private Q_SLOTS:
     }
     void ofManyTrialsTheKeyFrameIsShown()
     {
-        const auto contentOf = [this](StillMoment moment) { return *TrialContentReader(*m_project, moment).read("Trial 1"); };
+        const auto contentOf = [this](StillMoment moment) {
+            return *TrialContentReader(*m_project, moment).read("Trial 1");
+        };
         const TrialContentPtr top = contentOf(StillMoment::TopSpeed), key = contentOf(StillMoment::KeyFrame);
         QVERIFY(top->isAtTopSpeed && !key->isAtTopSpeed);
         QCOMPARE(top->stillTime, tellingMoment(*top->scene));
@@ -98,7 +99,8 @@ private Q_SLOTS:
         const auto written = write(trialReports({"Trial 1"}, {}), path("nowhere/report.pdf"));
         QCOMPARE(written.error().code, ErrorCode::NotFound);
         const QString words = QString::fromStdString(written.error().message());
-        QVERIFY2(words.contains(QStringLiteral("nowhere/report.pdf")) && words.contains(QStringLiteral("there is no folder")),
+        QVERIFY2(words.contains(QStringLiteral("nowhere/report.pdf")) &&
+                     words.contains(QStringLiteral("there is no folder")),
                  qPrintable(words));
     }
     void aReportWithoutAPageIsNone()
@@ -109,7 +111,8 @@ private Q_SLOTS:
     }
     void theMedianOfAClassIsThatOfItsRuns()
     {
-        AnalysisRecord analysis = m_project->analyses().current(m_project->trials().find("Trial 1")->id).value().front();
+        AnalysisRecord analysis =
+            m_project->analyses().current(m_project->trials().find("Trial 1")->id).value().front();
         const auto team = m_project->teams().find("Heron").value();
         for (const double speed : {1.0, 2.0, 5.0, 70.0}) {
             TrialRecord trial;
@@ -122,7 +125,9 @@ private Q_SLOTS:
             analysis.profile.metrics = {{"max_speed", "m/s", speed, 0.01}};
             QVERIFY(m_project->analyses().add(analysis).has_value());
         }
-        QVERIFY(m_project->trials().setBinned(m_project->trials().find("Run at 70.000000")->id, true).has_value());
+        QVERIFY(m_project->trials()
+                    .setBinned(m_project->trials().find("Run at 70.000000")->id, true)
+                    .has_value());
         const auto figures = classFigures(*m_project, "9B", "Line", {"max_speed", "no_such"});
         QVERIFY2(figures.has_value(), figures ? "" : figures.error().message().c_str());
         QCOMPARE(figures->count("no_such"), std::size_t(0));
@@ -139,7 +144,8 @@ private Q_SLOTS:
         QVERIFY(text.open(QIODevice::WriteOnly));
         text.write("no picture");
         text.close();
-        for (const auto &[name, code] : {std::pair{"logo.txt", ErrorCode::Io}, std::pair{"missing.png", ErrorCode::NotFound}}) {
+        for (const auto &[name, code] :
+             {std::pair{"logo.txt", ErrorCode::Io}, std::pair{"missing.png", ErrorCode::NotFound}}) {
             const auto none = readLogo(path(name).toStdString());
             QCOMPARE(none.error().code, code);
             QVERIFY(QString::fromStdString(none.error().message()).contains(QLatin1String(name)));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
-#include "ui/report/method_page.h"
-#include "ui/report/run_events.h"
+#include "ui/report/internal/run_painting.h"
+#include "ui/report/trial_report.h"
 
 #include <QTest>
 
@@ -10,7 +10,8 @@ using namespace odo;
 
 namespace {
 
-/// A robot that stands for a second, drives a straight line at 1 m/s for two, and stands again, 20 times a second.
+/// A robot that stands for a second, drives a straight line at 1 m/s for two, and stands again, 20 times a
+/// second.
 Profile straightRun()
 {
     Profile profile;
@@ -39,7 +40,8 @@ Profile straightRun()
 void addSpikes(Profile &profile, const std::vector<std::int64_t> &at)
 {
     for (const std::int64_t index : at)
-        profile.spikes.push_back({index, profile.samples[std::size_t(index)].time, flagBit(SampleFlag::Jump), "off by 80 mm"});
+        profile.spikes.push_back(
+            {index, profile.samples[std::size_t(index)].time, flagBit(SampleFlag::Jump), "off by 80 mm"});
 }
 
 } // namespace
@@ -78,7 +80,8 @@ private Q_SLOTS:
         addSpikes(profile, {25, 26, 29, 50});
         const auto events = runEvents(profile, 12);
         std::vector<RunEvent> spikes;
-        std::ranges::copy_if(events, std::back_inserter(spikes), [](const RunEvent &e) { return e.kind == RunEvent::Kind::Spike; });
+        std::ranges::copy_if(events, std::back_inserter(spikes),
+                             [](const RunEvent &e) { return e.kind == RunEvent::Kind::Spike; });
         QCOMPARE(spikes.size(), std::size_t(2));
         QVERIFY(spikes[0].words.startsWith(QStringLiteral("Spike: off by 80 mm (3 ")));
         QCOMPARE(spikes[0].until, profile.samples[29].time);
@@ -87,12 +90,14 @@ private Q_SLOTS:
     void whatMattersLeastIsLeftOut()
     {
         Profile profile = straightRun();
-        profile.passages = {{"A", GateRole::Start, fromSeconds(1.5), 0, 0}, {"B", GateRole::Finish, fromSeconds(2.5), 0, 0}};
+        profile.passages = {{"A", GateRole::Start, fromSeconds(1.5), 0, 0},
+                            {"B", GateRole::Finish, fromSeconds(2.5), 0, 0}};
         addSpikes(profile, {22, 23, 24, 40, 55});
         const auto events = runEvents(profile, 6);
         QCOMPARE(events.size(), std::size_t(6));
         QCOMPARE(std::ranges::count(events, RunEvent::Kind::Spike, &RunEvent::kind), 1);
-        QVERIFY(std::ranges::find(events, RunEvent::Kind::Spike, &RunEvent::kind)->words.contains(QStringLiteral("(3 ")));
+        QVERIFY(std::ranges::find(events, RunEvent::Kind::Spike, &RunEvent::kind)
+                    ->words.contains(QStringLiteral("(3 ")));
         QVERIFY(std::ranges::is_sorted(events, {}, &RunEvent::time));
         const auto few = runEvents(profile, 4);
         QCOMPARE(std::ranges::count(few, RunEvent::Kind::Motion, &RunEvent::kind), 2);

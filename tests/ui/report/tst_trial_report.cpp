@@ -2,8 +2,8 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "tests/ui/support/printed_text.h"
-#include "ui/models/shown_units.h"
-#include "ui/report/report_painting.h"
+#include "ui/models/figure_text.h"
+#include "ui/report/internal/report_painting.h"
 #include "ui/report/trial_report.h"
 
 #include <QApplication>
@@ -34,9 +34,10 @@ std::shared_ptr<TrialScene> exampleCopy(const ExampleOptions &options = {.frames
     scene->trial.className = "9B";
     scene->trial.teamName = "Falcon";
     for (SceneRobot &robot : scene->robots)
-        robot.analysis->profile.metrics = {{"duration", "s", 9.84, 0.006},     {"path_length", "m", 12.375, 0.005},
-                                           {"max_speed", "m/s", 1.935, 0.005}, {"mean_speed", "m/s", 1.2577, 0.001},
-                                           {"max_accel", "m/s²", 3.76, 0.16},  {"straightness", "1", 0.42, 0.001}};
+        robot.analysis->profile.metrics = {
+            {"duration", "s", 9.84, 0.006},     {"path_length", "m", 12.375, 0.005},
+            {"max_speed", "m/s", 1.935, 0.005}, {"mean_speed", "m/s", 1.2577, 0.001},
+            {"max_accel", "m/s²", 3.76, 0.16},  {"straightness", "1", 0.42, 0.001}};
     return scene;
 }
 
@@ -47,7 +48,8 @@ class TestTrialReport : public QObject
     Q_OBJECT
     QTemporaryDir m_folder;
 
-    /// Where the pages were printed; every word of them must lie within the margins, less what a letter overhangs.
+    /// Where the pages were printed; every word of them must lie within the margins, less what a letter
+    /// overhangs.
     QString printed(const ReportPages &pages)
     {
         const QString file = test::printed(pages, m_folder);
@@ -76,12 +78,28 @@ private Q_SLOTS:
         QCOMPARE(printedWords(file).pageSizes.size(), 1);
         QCOMPARE(fontsNotEmbedded(file), QStringList());
         const QString text = printedText(file).simplified();
-        for (const char *words :
-             {"Lindenschule", "Room 12", "Third attempt", "Class: 9B", "Team: Falcon", "Robot: Red 2", "Top speed", "1.935", "m/s ±0.005",
-              "class median 1.71 m/s", "The run from above", "Speed, m/s", "Acceleration along the path, m/s²", "What happened",
-              "Straightness", "0.4200 ±0.0010", "Remarks", "lens calibrated to 0.21 px", "90 frames at 30.00/s, 0 missing",
-              "Kalman/RTS, noise from the data"})
-            QVERIFY2(text.contains(QString::fromUtf8(words)), qPrintable(QString::fromUtf8(words) + QStringLiteral(" is not in: ") + text));
+        for (const char *words : {"Lindenschule",
+                                  "Room 12",
+                                  "Third attempt",
+                                  "Class: 9B",
+                                  "Team: Falcon",
+                                  "Robot: Red 2",
+                                  "Top speed",
+                                  "1.935",
+                                  "m/s ±0.005",
+                                  "class median 1.71 m/s",
+                                  "The run from above",
+                                  "Speed, m/s",
+                                  "Acceleration along the path, m/s²",
+                                  "What happened",
+                                  "Straightness",
+                                  "0.4200 ±0.0010",
+                                  "Remarks",
+                                  "lens calibrated to 0.21 px",
+                                  "90 frames at 30.00/s, 0 missing",
+                                  "Kalman/RTS, noise from the data"})
+            QVERIFY2(text.contains(QString::fromUtf8(words)),
+                     qPrintable(QString::fromUtf8(words) + QStringLiteral(" is not in: ") + text));
     }
     void longWordsOfAnEventTakeTwoLines()
     {
@@ -92,17 +110,20 @@ private Q_SLOTS:
                            .reason = "views disagree by 25 mm, none could be trusted, jump of 112 mm"}};
         const QString text = printedText(printed(trialPages(contentOf(scene), {}))).simplified();
         for (const char *words : {"Spike: views disagree by 25 mm,", "jump of 112 mm", "Remarks"})
-            QVERIFY2(text.contains(QString::fromUtf8(words)), qPrintable(QString::fromUtf8(words) + QStringLiteral(" is not in: ") + text));
+            QVERIFY2(text.contains(QString::fromUtf8(words)),
+                     qPrintable(QString::fromUtf8(words) + QStringLiteral(" is not in: ") + text));
         QVERIFY2(!text.contains(u'…'), qPrintable(text));
     }
     void remarksSayWhenTheRobotIsDoubtful()
     {
         const auto scene = exampleCopy();
-        scene->robots.front().analysis->doubtfulNames = {{1200ms, 1500ms, {7}, {"Blue 1"}}, {2s, 2500ms, {8}, {"Blue 2"}}};
+        scene->robots.front().analysis->doubtfulNames = {{1200ms, 1500ms, {7}, {"Blue 1"}},
+                                                         {2s, 2500ms, {8}, {"Blue 2"}}};
         for (const char *notes : {"", "Slipped on the line"}) {
             scene->trial.notes = notes;
             const QString text = printedText(printed(trialPages(contentOf(scene), {}))).simplified();
-            const QString doubt = QStringLiteral("from 1.20 s to 1.50 s (the first of 2 times) it is doubtful whether this is Red 2, Blue 1 or Blue 2.");
+            const QString doubt = QStringLiteral("from 1.20 s to 1.50 s (the first of 2 times) it is "
+                                                 "doubtful whether this is Red 2, Blue 1 or Blue 2.");
             QVERIFY2(text.contains(doubt) && text.contains(QString::fromUtf8(notes)), qPrintable(text));
         }
         scene->robots.front().analysis->doubtfulNames.clear();
@@ -111,10 +132,14 @@ private Q_SLOTS:
     void remarksSayWhenTheRobotWasHidden()
     {
         const auto scene = exampleCopy();
-        const auto hidden = [](Nanoseconds from, Nanoseconds to) { return Occlusion{{from, to}, OcclusionCause::HiddenBehind, "A", "Blue 1"}; };
+        const auto hidden = [](Nanoseconds from, Nanoseconds to) {
+            return Occlusion{{from, to}, OcclusionCause::HiddenBehind, "A", "Blue 1"};
+        };
         scene->robots.front().occlusions = {hidden(1200ms, 1500ms), hidden(2s, 2100ms), hidden(3s, 3900ms)};
         const QString text = printedText(printed(trialPages(contentOf(scene), {}))).simplified();
-        QVERIFY2(text.contains(QStringLiteral("hidden behind Blue 1 in view A (3.00 s to 3.90 s); hidden behind Blue 1 in view A (1.20 s to 1.50 s); 3 times in all.")), qPrintable(text));
+        QVERIFY2(text.contains(QStringLiteral("hidden behind Blue 1 in view A (3.00 s to 3.90 s); hidden "
+                                              "behind Blue 1 in view A (1.20 s to 1.50 s); 3 times in all.")),
+                 qPrintable(text));
     }
     void aVaryingRateIsPrinted()
     {
@@ -124,13 +149,17 @@ private Q_SLOTS:
             times[i] = 40ms * static_cast<int>(i) + (i % 5 == 4 ? 25ms : 0ms);
         const QString text = printedText(printed(trialPages(contentOf(scene), {}))).simplified();
         QCOMPARE(text.count(QStringLiteral("15 to 65 ms apart")), 1); // of the two views
-        QVERIFY2(text.indexOf(QStringLiteral("15 to 65 ms apart")) < text.indexOf(QStringLiteral("B: 90 frames")), qPrintable(text));
+        QVERIFY2(text.indexOf(QStringLiteral("15 to 65 ms apart")) <
+                     text.indexOf(QStringLiteral("B: 90 frames")),
+                 qPrintable(text));
     }
     void paperHasItsSize()
     {
         const auto content = contentOf(exampleCopy());
         ReportOptions options;
-        const auto sizeOf = [&] { return printedWords(printed(trialPages(content, options))).pageSizes.first(); };
+        const auto sizeOf = [&] {
+            return printedWords(printed(trialPages(content, options))).pageSizes.first();
+        };
         QVERIFY(qAbs(sizeOf().width() - 595.3) < 1 && qAbs(sizeOf().height() - 841.9) < 1);
         options.paper = Paper::Letter;
         QVERIFY(qAbs(sizeOf().width() - 612) < 1 && qAbs(sizeOf().height() - 792) < 1);
@@ -188,8 +217,10 @@ private Q_SLOTS:
         QTest::newRow("formula") << QStringLiteral("=1+1") << QStringLiteral("=1+1");
         QTest::newRow("path") << QStringLiteral("../../etc/x") << QStringLiteral("../../etc/x");
         QTest::newRow("order turned around") << QStringLiteral("ab\u202Ecd") << QStringLiteral("ab\uFFFDcd");
-        QTest::newRow("letters that join") << QStringLiteral("office fjord flip") << QStringLiteral("office fjord flip");
-        QTest::newRow("lines") << QStringLiteral("one\ntwo\tthree") << QStringLiteral("one\uFFFDtwo\uFFFDthree");
+        QTest::newRow("letters that join")
+            << QStringLiteral("office fjord flip") << QStringLiteral("office fjord flip");
+        QTest::newRow("lines") << QStringLiteral("one\ntwo\tthree")
+                               << QStringLiteral("one\uFFFDtwo\uFFFDthree");
         QTest::newRow("placeholder") << QStringLiteral("%1 %2 %n") << QStringLiteral("%1 %2 %n");
     }
     void namesComeOutAsTheyAre()
@@ -198,7 +229,8 @@ private Q_SLOTS:
         QFETCH(QString, shown);
         auto scene = exampleCopy();
         scene->trial.name = scene->trial.teamName = scene->trial.className = name.toStdString();
-        scene->robots.front().robot.name = scene->views.front().camera = scene->trial.notes = name.toStdString();
+        scene->robots.front().robot.name = scene->views.front().camera = scene->trial.notes =
+            name.toStdString();
         const QString text = printedText(printed(trialPages(contentOf(scene), {})));
         QVERIFY2(text.contains(shown), qPrintable(text));
         QVERIFY(text.contains(QStringLiteral("Team: ") + shown));
@@ -211,7 +243,8 @@ private Q_SLOTS:
         const std::string before = printed(trialPages(contentOf(scene), {})).toStdString();
         QVERIFY(!printedText(QString::fromStdString(before)).contains(QStringLiteral("Pond")));
         // NOLINTNEXTLINE(misc-misleading-bidirectional): such a name is what is printed
-        scene->task->zones = {rectangularZone("Pond \xE2\x80\xAE", ZoneRule::StayOutside, {0.2, 0.2}, {1.4, 1.2})};
+        scene->task->zones = {
+            rectangularZone("Pond \xE2\x80\xAE", ZoneRule::StayOutside, {0.2, 0.2}, {1.4, 1.2})};
         const QString text = printedText(printed(trialPages(contentOf(scene), {})));
         QVERIFY2(text.contains(QString::fromUtf8("Pond \uFFFD")), qPrintable(text));
     }
@@ -223,10 +256,12 @@ private Q_SLOTS:
         scene->robots.front().robot.name = scene->views.front().camera = longName;
         scene->trial.notes = "many words " + longName + " and more of them";
         for (int i = 0; i < 40; ++i)
-            scene->robots.front().analysis->profile.passages.push_back({longName, GateRole::Split, fromSeconds(0.05 * i), 0.01, 0.01});
+            scene->robots.front().analysis->profile.passages.push_back(
+                {longName, GateRole::Split, fromSeconds(0.05 * i), 0.01, 0.01});
         ReportOptions options;
         options.withMethod = true;
-        options.letterhead = {QString(10000, u'M'), QString(10000, u'M'), QImage(3000, 10, QImage::Format_RGB32)};
+        options.letterhead = {QString(10000, u'M'), QString(10000, u'M'),
+                              QImage(3000, 10, QImage::Format_RGB32)};
         printed(trialPages(contentOf(scene), options)); // every word is looked at there
     }
     void unitsAreThoseThatAreShown()
@@ -245,7 +280,8 @@ private Q_SLOTS:
         while (profile.samples.size() < 100000)
             for (std::size_t i = 0; i < once.samples.size(); ++i) {
                 profile.samples.push_back(once.samples[i]);
-                profile.samples.back().time = profile.samples[profile.samples.size() - 2].time + fromSeconds(1 / 30.0);
+                profile.samples.back().time =
+                    profile.samples[profile.samples.size() - 2].time + fromSeconds(1 / 30.0);
                 profile.points.push_back(once.points[i]);
             }
         const QString file = printed(trialPages(contentOf(scene), {}));

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/trajectory/range_statistics.h"
+#include "core/analysis/range_statistics.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "tests/ui/support/found_widgets.h"
 #include "ui/models/timeline.h"
-#include "ui/review/range_card.h"
-#include "ui/review/range_facts.h"
-#include "ui/views/explanation_dialog.h"
-#include "ui/views/fact_list.h"
+#include "ui/review/internal/range_card.h"
+#include "ui/views/widgets/fact_list.h"
 
 #include <QApplication>
 #include <QClipboard>

@@ -3,8 +3,8 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/timeline.h"
-#include "ui/review/robot_pointing.h"
-#include "ui/views/picture_fit.h"
+#include "ui/review/corrections.h"
+#include "ui/views/picture/picture_painting.h"
 
 #include <QAction>
 #include <QApplication>
@@ -44,7 +44,8 @@ private Q_SLOTS:
         });
         QMenu menu;
         pointing.fill(menu, 1, {123, 45});
-        QCOMPARE(menu.actions().size(), qsizetype(scene->robots.size() + 2)); // with a line, and what takes the first one's back
+        // with a line, and what takes the first one's back
+        QCOMPARE(menu.actions().size(), qsizetype(scene->robots.size() + 2));
         QCOMPARE(menu.actions().front()->text(), QStringLiteral("This is Rover && co.: track it again"));
         menu.actions().front()->trigger();
         QCOMPARE(trial, QString::fromStdString(scene->trial.name));

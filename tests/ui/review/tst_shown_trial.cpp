@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which trial Review shows, while others are chosen, binned or cannot be read.
-#include "core/project/connection.h"
+#include "core/project/internal/connection.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "tests/support/registered_test.h"

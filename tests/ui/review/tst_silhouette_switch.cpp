@@ -6,8 +6,8 @@
 #include "ui/models/timeline.h"
 #include "ui/review/review_desk.h"
 #include "ui/review/review_page.h"
-#include "ui/views/camera_view.h"
-#include "ui/views/robot_colours.h"
+#include "ui/views/charts/series_colours.h"
+#include "ui/views/picture/camera_view.h"
 
 #include <QAction>
 #include <QApplication>
@@ -77,7 +77,8 @@ private:
     }
     static bool isNear(const QColor &a, const QColor &b)
     {
-        return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue()) < 60;
+        return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue()) <
+               60;
     }
     /// Pixels of the first view that have the first robot's colour: its outline, name and trail.
     int drawn() const

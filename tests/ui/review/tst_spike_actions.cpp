@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/review/spike_actions.h"
+#include "ui/review/corrections.h"
 
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
@@ -67,7 +67,8 @@ void TestSpikeActions::nothingWithoutAMeasurement()
     Timeline timeline;
     SpikeActions actions(timeline);
     const auto none = [&actions] {
-        return std::ranges::none_of(actions.actions(), [](const QAction *action) { return action->isEnabled(); });
+        return std::ranges::none_of(actions.actions(),
+                                    [](const QAction *action) { return action->isEnabled(); });
     };
     QVERIFY(none());
     timeline.setFrameTimes(scene->frameTimes());

@@ -2,8 +2,8 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/timeline.h"
-#include "ui/review/trial_facts.h"
-#include "ui/views/camera_view.h"
+#include "ui/review/internal/trial_facts.h"
+#include "ui/views/picture/camera_view.h"
 
 #include <QApplication>
 #include <QLabel>

@@ -2,7 +2,7 @@
 // What the Trial card says of a view.
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
-#include "ui/review/trial_facts.h"
+#include "ui/review/internal/trial_facts.h"
 
 #include <QTemporaryFile>
 #include <QTest>
@@ -61,7 +61,9 @@ private Q_SLOTS:
         const auto fact = std::ranges::find(facts, QStringLiteral("Views"), &Fact::name);
         QVERIFY(fact != facts.end());
         QCOMPARE(fact->badge.text, QStringLiteral("doubtful"));
-        QVERIFY2(fact->value.contains(QStringLiteral("in 60 of 60 pictures the views contradict one another: they put it 21.3 mm apart")), qPrintable(fact->value));
+        QVERIFY2(fact->value.contains(QStringLiteral(
+                     "in 60 of 60 pictures the views contradict one another: they put it 21.3 mm apart")),
+                 qPrintable(fact->value));
     }
 
 private:

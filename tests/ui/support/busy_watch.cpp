@@ -24,7 +24,10 @@ double longestAllowedMs()
     return 50 * test::slowness * (qEnvironmentVariableIsSet("ODOGRAPH_ALONE") ? 1 : 3);
 }
 
-BusyWatch::BusyWatch() : m_lastMs(threadCpuMs()) { startTimer(0); }
+BusyWatch::BusyWatch() : m_lastMs(threadCpuMs())
+{
+    startTimer(0);
+}
 
 void BusyWatch::timerEvent(QTimerEvent *)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/support/driven_window.h"
 
+#include "ui/main_window/internal/window_bars.h"
 #include "ui/main_window/main_window.h"
-#include "ui/main_window/message_bar.h"
 #include "ui/main_window/workspace.h"
 
 #include <QAction>
@@ -41,7 +41,8 @@ void run(MainWindow &window, QAction *action, const QList<Answer> &answers)
     QTRY_VERIFY_WITH_TIMEOUT(!window.workspace().isBusy(), longestJobMs);
 }
 
-int lookAtDialogs(MainWindow &window, const std::function<void(const QAction &command, QDialog &dialog)> &look)
+int lookAtDialogs(MainWindow &window,
+                  const std::function<void(const QAction &command, QDialog &dialog)> &look)
 {
     QSet<QString> seen;
     for (const WindowMode mode : allModes) {

@@ -23,9 +23,10 @@ void waitFor(const MainWindow &window);
 /// Triggers an action of the window, answers its dialogs, and waits for the job that may follow.
 void run(MainWindow &window, QAction *action, const QList<Answer> &answers);
 
-/// Opens the dialogs of all commands that can be called in all modes, one after the other, has a look at each (but Qt's own for files), and
-/// dismisses it. Gives how many there were.
-int lookAtDialogs(MainWindow &window, const std::function<void(const QAction &command, QDialog &dialog)> &look);
+/// Opens the dialogs of all commands that can be called in all modes, one after the other, has a look at each
+/// (but Qt's own for files), and dismisses it. Gives how many there were.
+int lookAtDialogs(MainWindow &window,
+                  const std::function<void(const QAction &command, QDialog &dialog)> &look);
 
 /// A row for each mode of the window, with its number in the column "mode".
 void addModeRows();

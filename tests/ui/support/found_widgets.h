@@ -55,8 +55,9 @@ inline void pressKeys(const QWidget &dialog, const QKeySequence &keys)
 /// Some label of the window has these words.
 inline bool says(const QWidget &window, const char *words)
 {
-    return std::ranges::any_of(window.findChildren<QLabel *>(),
-                               [&](const QLabel *label) { return label->text().contains(QString::fromUtf8(words)); });
+    return std::ranges::any_of(window.findChildren<QLabel *>(), [&](const QLabel *label) {
+        return label->text().contains(QString::fromUtf8(words));
+    });
 }
 
 } // namespace odo::test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/report/report_page.h"
+#include "ui/report/internal/report_page.h"
 
 #include <QList>
 #include <QRectF>
@@ -15,8 +15,8 @@ namespace odo::test {
 /// Writes pages to a new PDF file in a folder and gives its name; where that fails, so does the test.
 QString printed(const ReportPages &pages, const QTemporaryDir &folder);
 
-/// What poppler's programs read in a PDF file: its text in the order of the page, the names of fonts that are not
-/// embedded, and each word with its box (points, from the upper left corner; page sizes in pageSizes).
+/// What poppler's programs read in a PDF file: its text in the order of the page, the names of fonts that are
+/// not embedded, and each word with its box (points, from the upper left corner; page sizes in pageSizes).
 QString printedText(const QString &file, int page = 0);
 QStringList fontsNotEmbedded(const QString &file);
 struct PrintedWord

@@ -39,8 +39,9 @@ QStringList contentOf(Project &project)
         std::string tags;
         for (const std::string &tag : trial.tags)
             tags += "|" + tag;
-        parts << QString::fromStdString("trial " + trial.name + "|" + trial.task + "|" + trial.notes + (trial.starred ? "|star" : "") +
-                                        (trial.archived ? "|archived" : "") + (trial.binned ? "|bin" : "") + tags);
+        parts << QString::fromStdString("trial " + trial.name + "|" + trial.task + "|" + trial.notes +
+                                        (trial.starred ? "|star" : "") + (trial.archived ? "|archived" : "") +
+                                        (trial.binned ? "|bin" : "") + tags);
         for (const AnalysisRecord &analysis : everythingOf(project.analyses().current(trial.id)))
             parts << QStringLiteral("analysis %1").arg(analysis.id);
     }

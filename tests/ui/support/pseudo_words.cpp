@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/support/pseudo_words.h"
 
-#include "ui/views/elided_label.h"
+#include "ui/views/widgets/labels.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -65,11 +65,13 @@ bool isKnown(const QString &text, const QStringList &known)
     if (known.contains(text.trimmed()))
         return true;
     static const QRegularExpression word(QStringLiteral("\\p{L}[\\p{L}'-]*"));
-    static const QRegularExpression date(QStringLiteral("\\b[0-9]{1,2} \\p{Lu}\\p{Ll}{2} [0-9]{4}\\b")), path(QStringLiteral("(^|\\s)/[^\\s]+"));
+    static const QRegularExpression date(QStringLiteral("\\b[0-9]{1,2} \\p{Lu}\\p{Ll}{2} [0-9]{4}\\b")),
+        path(QStringLiteral("(^|\\s)/[^\\s]+"));
     QString left = withoutKeys(outside(text)).remove(date).remove(path);
     for (const QString &name : known) {
         left.replace(name, QStringLiteral(" "));
-        if (const qsizetype elided = left.indexOf(u'…'); elided >= 0 && name.endsWith(QStringView(left).mid(elided + 1)))
+        if (const qsizetype elided = left.indexOf(u'…');
+            elided >= 0 && name.endsWith(QStringView(left).mid(elided + 1)))
             left.truncate(elided); // a name whose middle was left out
     }
     auto each = word.globalMatch(left);
@@ -102,7 +104,8 @@ QStringList textsOf(const QWidget &widget)
         for (int i = 0; i < tabs->count(); ++i)
             texts << tabs->tabText(i);
     else if (const auto *header = qobject_cast<const QHeaderView *>(&widget))
-        for (int i = 0; header->model() && header->orientation() == Qt::Horizontal && i < header->count(); ++i)
+        for (int i = 0; header->model() && header->orientation() == Qt::Horizontal && i < header->count();
+             ++i)
             texts << header->model()->headerData(i, Qt::Horizontal).toString();
     for (const QAction *action : widget.actions())
         texts << action->text() << action->toolTip();
@@ -115,7 +118,9 @@ int roomForText(const QComboBox &box)
     option.initFrom(&box);
     option.editable = box.isEditable();
     option.frame = box.hasFrame();
-    return box.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &box).width();
+    return box.style()
+        ->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &box)
+        .width();
 }
 
 } // namespace
@@ -139,7 +144,8 @@ QStringList untranslatedIn(const QWidget &window, const QStringList &known)
         widgets << widget;
     for (const QWidget *widget : widgets)
         for (const QString &text : textsOf(*widget)) {
-            const QString plain = Qt::mightBeRichText(text) ? QTextDocumentFragment::fromHtml(text).toPlainText() : text;
+            const QString plain =
+                Qt::mightBeRichText(text) ? QTextDocumentFragment::fromHtml(text).toPlainText() : text;
             if (!isKnown(plain, known))
                 found << placeOf(*widget) + QStringLiteral(": ") + plain;
         }
@@ -152,27 +158,36 @@ QStringList cutOffIn(const QWidget &window)
     QStringList found;
     const auto note = [&found](const QWidget &widget, const QString &text, int wanted, int room) {
         if (wanted > room)
-            found << QStringLiteral("%1 has %2 of %3 pixels: %4").arg(placeOf(widget)).arg(room).arg(wanted).arg(text);
+            found << QStringLiteral("%1 has %2 of %3 pixels: %4")
+                         .arg(placeOf(widget))
+                         .arg(room)
+                         .arg(wanted)
+                         .arg(text);
     };
     for (const auto *widget : window.findChildren<QWidget *>()) {
         if (!widget->isVisibleTo(&window))
             continue;
         const auto *button = qobject_cast<const QAbstractButton *>(widget);
         const auto *tool = qobject_cast<const QToolButton *>(widget);
-        const bool isSignAlone = tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull();
+        const bool isSignAlone =
+            tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull();
         if (button && !button->text().isEmpty() && !isSignAlone) {
             constexpr int edges = 4;
             const bool isBelow = tool && tool->toolButtonStyle() == Qt::ToolButtonTextUnderIcon;
             const int sign = button->icon().isNull() || isBelow ? 0 : button->iconSize().width();
-            note(*widget, button->text(), widget->fontMetrics().size(Qt::TextShowMnemonic, button->text()).width() + sign + edges, widget->width());
+            note(*widget, button->text(),
+                 widget->fontMetrics().size(Qt::TextShowMnemonic, button->text()).width() + sign + edges,
+                 widget->width());
         }
         if (const auto *box = qobject_cast<const QComboBox *>(widget))
-            note(*widget, box->currentText(), widget->fontMetrics().horizontalAdvance(box->currentText()), roomForText(*box));
+            note(*widget, box->currentText(), widget->fontMetrics().horizontalAdvance(box->currentText()),
+                 roomForText(*box));
         const auto *label = qobject_cast<const QLabel *>(widget);
         if (!label || label->text().isEmpty() || qobject_cast<const ElidedLabel *>(widget))
             continue;
         if (label->wordWrap())
-            note(*widget, label->text() + QStringLiteral(" (its height)"), label->heightForWidth(label->width()), label->height() + 1);
+            note(*widget, label->text() + QStringLiteral(" (its height)"),
+                 label->heightForWidth(label->width()), label->height() + 1);
         else
             note(*widget, label->text(), label->sizeHint().width(), label->width());
     }

@@ -51,7 +51,8 @@ void storeTestbed(Stored &stored, const TrialScene &scene)
             intrinsics.calibration.pictures.back().view.source = "board_" + std::to_string(i) + ".png";
             intrinsics.calibration.pictures.back().rmsPx = 0.19 + 0.01 * i;
         }
-        intrinsics.calibration.verdict = "Good: 3 pictures fit to 0.21 px, focal length 480.0 px ± 0.20 %. Standard lens: no other model fits.";
+        intrinsics.calibration.verdict = "Good: 3 pictures fit to 0.21 px, focal length 480.0 px ± 0.20 %. "
+                                         "Standard lens: no other model fits.";
         RegistrationRecord registration;
         registration.camera = camera;
         registration.layout = stored.layout;
@@ -66,7 +67,8 @@ void storeTestbed(Stored &stored, const TrialScene &scene)
         registration.registration.poseCovariance = Eigen::Matrix<double, 6, 6>::Identity() * 1e-8;
         registration.registration.rmsPx = 0.4;
         registration.registration.rmsM = 0.0016;
-        registration.registration.verdict = "Good: 4 markers fit to 1.6 mm RMS (worst V, 1.6 mm), and the floor among them is known to ±1.6 mm.";
+        registration.registration.verdict = "Good: 4 markers fit to 1.6 mm RMS (worst V, 1.6 mm), and the "
+                                            "floor among them is known to ±1.6 mm.";
         stored.registrations.push_back(must(project.cameras().addRegistration(registration)).id);
         stored.cameras.push_back(camera);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/support/year_project.h"
 
-#include "core/project/connection.h"
+#include "core/project/internal/connection.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "tests/ui/support/stored_example.h"

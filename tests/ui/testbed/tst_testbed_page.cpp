@@ -3,10 +3,9 @@
 #include "core/project/repositories.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
-#include "ui/testbed/check_tools.h"
+#include "ui/testbed/internal/known_cameras.h"
+#include "ui/testbed/internal/testbed_tools.h"
 #include "ui/testbed/testbed_page.h"
-#include "ui/testbed/testbed_state.h"
-#include "ui/testbed/testbed_tools.h"
 
 #include <QAction>
 #include <QApplication>
@@ -80,15 +79,19 @@ void TestTestbedPage::warnsAndShowsWhatHasMoved()
     const auto project = openStoredExample(folder.path().toStdString());
     const auto camera = project->cameras().find("B");
     const RecordId registration = project->cameras().currentRegistration(camera->id).value()->id;
-    QVERIFY(project->cameras().addCheck(
-        registration, {Instant(std::chrono::milliseconds(1'762'952'400'000)), RegistrationCheck::Outcome::CameraMoved, 6, 0.014, "B has moved 6 px = 14 mm."}));
+    QVERIFY(project->cameras().addCheck(registration, {Instant(std::chrono::milliseconds(1'762'952'400'000)),
+                                                       RegistrationCheck::Outcome::CameraMoved, 6, 0.014,
+                                                       "B has moved 6 px = 14 mm."}));
     TestbedPage page(*project);
     page.refresh();
     auto *table = page.findChild<QTableView *>();
-    QCOMPARE(table->model()->index(1, 2).data(CameraListModel::BadgeTextRole).toString(), QStringLiteral("moved 14.0\u00a0mm"));
+    QCOMPARE(table->model()->index(1, 2).data(CameraListModel::BadgeTextRole).toString(),
+             QStringLiteral("moved 14.0\u00a0mm"));
     QCOMPARE(table->model()->index(1, 2).data(CameraListModel::BadgeStateRole).toInt(), int(BadgeState::Bad));
-    QVERIFY(table->model()->index(1, 2).data(Qt::ToolTipRole).toString().contains(QStringLiteral("B has moved")));
-    QCOMPARE(table->model()->index(0, 2).data(CameraListModel::BadgeStateRole).toInt(), int(BadgeState::Good));
+    QVERIFY(
+        table->model()->index(1, 2).data(Qt::ToolTipRole).toString().contains(QStringLiteral("B has moved")));
+    QCOMPARE(table->model()->index(0, 2).data(CameraListModel::BadgeStateRole).toInt(),
+             int(BadgeState::Good));
     // The example was calibrated in 2025 at a picture size of its own.
     const auto rows = loadCameraRows(*project);
     QVERIFY(!rows->at(1).warnings.empty());

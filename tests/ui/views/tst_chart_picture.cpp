@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/views/chart_picture.h"
+#include "ui/views/charts/chart_picture.h"
 
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "tests/ui/support/found_widgets.h"
 #include "ui/models/timeline.h"
-#include "ui/views/chart_area.h"
-#include "ui/views/floor_map.h"
-#include "ui/views/path_field.h"
-#include "ui/views/profile_chart.h"
-#include "ui/views/theme.h"
+#include "ui/views/charts/profile_chart.h"
+#include "ui/views/map/floor_map.h"
+#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -76,9 +75,13 @@ private Q_SLOTS:
         QVERIFY(content.isWhole);
         QVERIFY(QSvgRenderer(svg).isValid());
         QCOMPARE(content.counts.value(QStringLiteral("image")), 0);
-        QVERIFY(content.counts.value(QStringLiteral("polyline")) + content.counts.value(QStringLiteral("path")) > 4);
-        for (const QString &word : {QStringLiteral("Speed"), QString::fromStdString(scene->trial.name), QStringLiteral("m/s"),
-                                    QString::fromStdString(scene->robots[0].robot.name), QString::fromStdString(scene->robots[1].robot.name)})
+        QVERIFY(content.counts.value(QStringLiteral("polyline")) +
+                    content.counts.value(QStringLiteral("path")) >
+                4);
+        for (const QString &word :
+             {QStringLiteral("Speed"), QString::fromStdString(scene->trial.name), QStringLiteral("m/s"),
+              QString::fromStdString(scene->robots[0].robot.name),
+              QString::fromStdString(scene->robots[1].robot.name)})
             QVERIFY2(content.words.contains(word), qPrintable(word + u'\n' + content.words));
     }
     void itIsTheSameInEachThemeAndWithTheFocus()
@@ -87,7 +90,8 @@ private Q_SLOTS:
         Chart chart(scene);
         const QByteArray svg = chart.picture->svg();
         const QImage image = chart.picture->image();
-        QCOMPARE(image.size(), chart.card.chartArea()->size() * 3 + QSize(0, image.height() - 3 * chart.card.chartArea()->height()));
+        QCOMPARE(image.size(), chart.card.chartArea()->size() * 3 +
+                                   QSize(0, image.height() - 3 * chart.card.chartArea()->height()));
         QCOMPARE(image.pixelColor(1, 1), QColor(Qt::white));
         chart.card.setPalette(darkPalette());
         QVERIFY(isDark(chart.card.chartArea()->palette()));
@@ -111,8 +115,11 @@ private Q_SLOTS:
         map.show();
         const SvgContent content(map.findChild<ChartPicture *>()->svg());
         QVERIFY(content.isWhole);
-        QVERIFY(content.words.contains(QStringLiteral("Top-down map · ") + QString::fromStdString(scene->trial.name)));
-        QVERIFY(content.counts.value(QStringLiteral("path")) + content.counts.value(QStringLiteral("polyline")) > 4);
+        QVERIFY(content.words.contains(QStringLiteral("Top-down map · ") +
+                                       QString::fromStdString(scene->trial.name)));
+        QVERIFY(content.counts.value(QStringLiteral("path")) +
+                    content.counts.value(QStringLiteral("polyline")) >
+                4);
     }
     void itIsCopiedByTheKeysOfCopying()
     {
@@ -130,7 +137,8 @@ private Q_SLOTS:
     {
         const Chart chart(exampleScene({.frames = 60}));
         QTemporaryDir folder;
-        const QString svg = folder.filePath(QStringLiteral("a.SVG")), png = folder.filePath(QStringLiteral("b.png"));
+        const QString svg = folder.filePath(QStringLiteral("a.SVG")),
+                      png = folder.filePath(QStringLiteral("b.png"));
         QVERIFY(chart.picture->save(pathOf(svg)));
         QVERIFY(chart.picture->save(pathOf(png)));
         QVERIFY(QSvgRenderer(svg).isValid());

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/trajectory/driven_way.h"
-#include "core/trajectory/range_statistics.h"
+#include "core/analysis/motion_stretches.h"
+#include "core/analysis/range_statistics.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/timeline.h"
-#include "ui/views/chart_area.h"
-#include "ui/views/chart_span.h"
-#include "ui/views/profile_chart.h"
-#include "ui/views/theme.h"
+#include "ui/views/charts/chart_span.h"
+#include "ui/views/charts/profile_chart.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QAction>
 #include <QApplication>

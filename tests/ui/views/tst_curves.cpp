@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
-#include "ui/views/axis_ticks.h"
-#include "ui/views/decimation.h"
-#include "ui/views/profile_curve.h"
-#include "ui/views/theme.h"
+#include "ui/views/charts/chart_painting.h"
+#include "ui/views/charts/profile_curve.h"
+#include "ui/views/charts/simplified_line.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QApplication>
 #include <QElapsedTimer>

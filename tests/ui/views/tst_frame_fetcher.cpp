@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
-#include "ui/views/frame_fetcher.h"
+#include "ui/views/picture/frame_fetcher.h"
 
 #include <QApplication>
 #include <QElapsedTimer>

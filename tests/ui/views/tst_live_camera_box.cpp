@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/registered_test.h"
-#include "ui/models/live_cameras.h"
-#include "ui/views/live_camera_box.h"
+#include "ui/models/camera_lists.h"
+#include "ui/views/widgets/form_fields.h"
 
 #include <QApplication>
 #include <QSignalSpy>
@@ -25,7 +25,9 @@ private Q_SLOTS:
         QCOMPARE(box.currentText(), QStringLiteral("Looking for cameras…"));
         QVERIFY(box.uri().isEmpty());
         QSignalSpy chosen(&box, &QComboBox::currentIndexChanged);
-        found.set_value({{.uri = "sim:A", .kind = "simulated", .name = "One", .widthPx = 640, .heightPx = 480}, {.uri = "sim:B", .kind = "simulated", .name = "Two"}});
+        found.set_value(
+            {{.uri = "sim:A", .kind = "simulated", .name = "One", .widthPx = 640, .heightPx = 480},
+             {.uri = "sim:B", .kind = "simulated", .name = "Two"}});
         QTRY_COMPARE(box.count(), 2);
         QCOMPARE(box.currentText(), QStringLiteral("One, 640×480"));
         QCOMPARE(box.uri(), QStringLiteral("sim:A"));
@@ -33,7 +35,8 @@ private Q_SLOTS:
     }
     void keepsWhatIsChosenWhileItIsThere()
     {
-        std::vector<CameraDescription> there{{.uri = "sim:A", .kind = "simulated", .name = "One"}, {.uri = "sim:B", .kind = "simulated", .name = "Two"}};
+        std::vector<CameraDescription> there{{.uri = "sim:A", .kind = "simulated", .name = "One"},
+                                             {.uri = "sim:B", .kind = "simulated", .name = "Two"}};
         LiveCameras cameras([&] { return there; });
         LiveCameraBox box(cameras);
         cameras.look();

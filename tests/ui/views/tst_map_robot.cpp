@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/registered_test.h"
-#include "ui/views/map_painting.h"
-#include "ui/views/robot_footprint.h"
-#include "ui/views/theme.h"
+#include "ui/views/map/map_painting.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QApplication>
 #include <QImage>
@@ -41,14 +40,20 @@ struct Map
         drawMapRobot(painter, plan, robot, palette());
     }
     static QPalette palette() { return {QColor(240, 240, 240)}; }
-    QColor at(const Eigen::Vector2d &point) const { return image.pixelColor(plan.fromWorld(point).toPoint()); }
+    QColor at(const Eigen::Vector2d &point) const
+    {
+        return image.pixelColor(plan.fromWorld(point).toPoint());
+    }
     /// The lines may lie between two pixels, which then have a little of what is beside them.
     bool hasCross(const Eigen::Vector2d &point) const
     {
         const QColor text = ThemeColours::of(palette()).text;
         return apart(at(point), text) < 0.3 * apart(robotColour, text);
     }
-    static int apart(const QColor &a, const QColor &b) { return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue()); }
+    static int apart(const QColor &a, const QColor &b)
+    {
+        return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue());
+    }
     bool hasRobot(const Eigen::Vector2d &point) const { return at(point) == robotColour; }
     bool isEmpty(const Eigen::Vector2d &point) const { return at(point) == QColor(Qt::gray); }
 };
@@ -84,18 +89,24 @@ private Q_SLOTS:
         robot.referenceM = reference;
         const Map map(robot);
         const Eigen::Rotation2Dd turn(heading);
-        const auto onRobot = [&](double forward, double left) { return Eigen::Vector2d(point + turn * (Eigen::Vector2d(forward, left) - reference)); };
+        const auto onRobot = [&](double forward, double left) {
+            return Eigen::Vector2d(point + turn * (Eigen::Vector2d(forward, left) - reference));
+        };
         QVERIFY(map.hasCross(point));
-        for (const auto &[forward, left] : {std::pair(0.0, 0.0), {-0.13, -0.08}, {-0.13, 0.08}, {0.13, -0.08}})
-            QVERIFY2(map.hasRobot(onRobot(forward, left)), qPrintable(QStringLiteral("%1 %2").arg(forward).arg(left)));
+        for (const auto &[forward, left] :
+             {std::pair(0.0, 0.0), {-0.13, -0.08}, {-0.13, 0.08}, {0.13, -0.08}})
+            QVERIFY2(map.hasRobot(onRobot(forward, left)),
+                     qPrintable(QStringLiteral("%1 %2").arg(forward).arg(left)));
         for (const auto &[forward, left] : {std::pair(-0.18, 0.0), {0.0, 0.13}, {0.0, -0.13}})
-            QVERIFY2(map.isEmpty(onRobot(forward, left)), qPrintable(QStringLiteral("%1 %2").arg(forward).arg(left)));
+            QVERIFY2(map.isEmpty(onRobot(forward, left)),
+                     qPrintable(QStringLiteral("%1 %2").arg(forward).arg(left)));
     }
 
     void withoutAHeadingOrASizeTheDotItselfHasTheCross()
     {
         const RobotRecord sized = sizedRobot(), unsized;
-        for (const auto &[record, heading] : {std::pair(&sized, std::optional<double>()), {&unsized, std::optional(0.0)}}) {
+        for (const auto &[record, heading] :
+             {std::pair(&sized, std::optional<double>()), {&unsized, std::optional(0.0)}}) {
             MapRobot robot{record, {0.5, 0.5}, 0, 0, heading, robotColour, {}};
             robot.referenceM = {0.2, 0};
             const Map map(robot);

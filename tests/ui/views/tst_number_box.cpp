@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/views/number_box.h"
+#include "ui/views/widgets/form_fields.h"
 
 #include "tests/support/registered_test.h"
-#include "ui/models/typed_number.h"
+#include "ui/models/figure_text.h"
 
 #include <QApplication>
 #include <QTest>
@@ -20,7 +20,8 @@ private Q_SLOTS:
         QTest::addColumn<QString>("text");
         QTest::addColumn<double>("number"); // NaN: none
         const auto row = [](const char *language, const char *text, double number) {
-            QTest::addRow("%s %s", language, text) << QString::fromLatin1(language) << QString::fromUtf8(text) << number;
+            QTest::addRow("%s %s", language, text)
+                << QString::fromLatin1(language) << QString::fromUtf8(text) << number;
         };
         const double none = std::nan("");
         for (const char *language : {"de_DE", "es_ES", "fr_FR", "en_GB", "ko_KR", "zh_CN"}) {
@@ -64,7 +65,9 @@ private Q_SLOTS:
         QTest::addColumn<QString>("shown");
         QTest::addColumn<double>("value");
         const auto row = [](const char *language, const char *typed, const char *shown, double value) {
-            QTest::addRow("%s %s", language, typed) << QString::fromLatin1(language) << QString::fromLatin1(typed) << QString::fromLatin1(shown) << value;
+            QTest::addRow("%s %s", language, typed)
+                << QString::fromLatin1(language) << QString::fromLatin1(typed) << QString::fromLatin1(shown)
+                << value;
         };
         row("de_DE", "12.5", "12,50 mm", 12.5);
         row("de_DE", "12,5", "12,50 mm", 12.5);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/geometry/support.h"
+#include "core/geometry/silhouette.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/timeline.h"
-#include "ui/views/camera_view.h"
-#include "ui/views/outline_painting.h"
-#include "ui/views/robot_colours.h"
+#include "ui/views/charts/series_colours.h"
+#include "ui/views/picture/camera_view.h"
+#include "ui/views/picture/picture_overlay.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -49,7 +49,9 @@ QImage painted(const Observation &seen, const QColor &ground, bool withLine = tr
 
 bool isColour(const QColor &got)
 {
-    return std::abs(got.red() - colour.red()) + std::abs(got.green() - colour.green()) + std::abs(got.blue() - colour.blue()) < 40;
+    return std::abs(got.red() - colour.red()) + std::abs(got.green() - colour.green()) +
+               std::abs(got.blue() - colour.blue()) <
+           40;
 }
 
 /// The part of the square's upper side along which the line's colour is.
@@ -69,15 +71,20 @@ class TestOutlinePainting : public QObject
 private Q_SLOTS:
     void theSupportIsAPolygon()
     {
-        const QRectF box = outlinePath(squareSeen(), [](const QPointF &pixel) { return 2 * pixel + QPointF(5, 7); }).boundingRect();
+        const QRectF box = outlinePath(squareSeen(), [](const QPointF &pixel) {
+                               return 2 * pixel + QPointF(5, 7);
+                           }).boundingRect();
         QVERIFY(std::abs(box.left() - 85) < 0.1 && std::abs(box.top() - 47) < 0.1);
         QVERIFY(std::abs(box.right() - 325) < 0.1 && std::abs(box.bottom() - 287) < 0.1);
-        QVERIFY(outlinePath(squareSeen(), asItIs).contains(QPointF(158, 138))); // in the corner, where no ellipse reaches
+        // in the corner, where no ellipse reaches
+        QVERIFY(outlinePath(squareSeen(), asItIs).contains(QPointF(158, 138)));
     }
 
     void aLineOutsideIsSoMuchWider()
     {
-        const QRectF box = outlinePath(squareSeen(), [](const QPointF &pixel) { return 2 * pixel; }, 3).boundingRect();
+        const QRectF box = outlinePath(
+                               squareSeen(), [](const QPointF &pixel) { return 2 * pixel; }, 3)
+                               .boundingRect();
         QVERIFY(std::abs(box.left() - 77) < 0.1 && std::abs(box.top() - 37) < 0.1);
         QVERIFY(std::abs(box.right() - 323) < 0.1 && std::abs(box.bottom() - 283) < 0.1);
     }
@@ -86,10 +93,12 @@ private Q_SLOTS:
     {
         Observation seen = squareSeen();
         seen.ellipse = {{100, 80}, 50, 10, 0.5};
-        for (const std::vector<float> &support : {std::vector<float>(), std::vector<float>(supportDirections, 0)}) {
+        for (const std::vector<float> &support :
+             {std::vector<float>(), std::vector<float>(supportDirections, 0)}) {
             seen.supportPx = support;
             const QPainterPath path = outlinePath(seen, asItIs);
-            const QPointF along(std::cos(0.5), std::sin(0.5)), across(-std::sin(0.5), std::cos(0.5)), centre(100, 80);
+            const QPointF along(std::cos(0.5), std::sin(0.5)), across(-std::sin(0.5), std::cos(0.5)),
+                centre(100, 80);
             QVERIFY(path.contains(centre + 48 * along) && !path.contains(centre + 52 * along));
             QVERIFY(path.contains(centre + 9 * across) && !path.contains(centre + 11 * across));
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/views/output_question.h"
+#include "ui/views/widgets/path_field.h"
 
 #include "core/files/protected_files.h"
 #include "tests/support/registered_test.h"
@@ -30,7 +30,9 @@ Answer answerMessage(QString &text, QMessageBox::StandardButton button)
 /// As chooseFile, when the person's own turn is over: the dialog asks before it replaces a file.
 Answer chooseOutput(const QString &file)
 {
-    return [file](QDialog &dialog) { QTimer::singleShot(0, &dialog, [&dialog, file] { chooseFile(file)(dialog); }); };
+    return [file](QDialog &dialog) {
+        QTimer::singleShot(0, &dialog, [&dialog, file] { chooseFile(file)(dialog); });
+    };
 }
 
 Answer giveUp()
@@ -45,8 +47,9 @@ class TestOutputQuestion : public QObject
 {
     Q_OBJECT
     QTemporaryDir m_folder;
-    const QList<OutputFormat> m_formats{{QStringLiteral("PDF files (*.pdf)"), QStringLiteral("pdf"), FileKind::Pdf},
-                                        {QStringLiteral("SVG pictures (*.svg)"), QStringLiteral("svg"), FileKind::Svg}};
+    const QList<OutputFormat> m_formats{
+        {QStringLiteral("PDF files (*.pdf)"), QStringLiteral("pdf"), FileKind::Pdf},
+        {QStringLiteral("SVG pictures (*.svg)"), QStringLiteral("svg"), FileKind::Svg}};
 
     QString path(const char *name) const { return m_folder.filePath(QString::fromUtf8(name)); }
     void write(const char *name, const QByteArray &bytes) const
@@ -97,13 +100,16 @@ private Q_SLOTS:
         QVERIFY(chosen.has_value());
         QCOMPARE(chosen->file, path("old.pdf"));
         QCOMPARE(text, path("old.pdf") + QStringLiteral(" exists. Replace it?"));
-        QVERIFY(!ask({chooseOutput(path("old")), answerMessage(text, QMessageBox::No), giveUp()}).has_value());
+        QVERIFY(
+            !ask({chooseOutput(path("old")), answerMessage(text, QMessageBox::No), giveUp()}).has_value());
     }
 
     void aFileOfAnotherKindIsAskedAbout()
     {
         QString dialogs, text;
-        QVERIFY(ask({chooseOutput(path("letter.pdf")), answerMessage(dialogs, QMessageBox::Yes), answerMessage(text, QMessageBox::Yes)}).has_value());
+        QVERIFY(ask({chooseOutput(path("letter.pdf")), answerMessage(dialogs, QMessageBox::Yes),
+                     answerMessage(text, QMessageBox::Yes)})
+                    .has_value());
         QCOMPARE(text, path("letter.pdf") + QStringLiteral(" is a file of another kind. Replace it?"));
     }
 
@@ -111,9 +117,12 @@ private Q_SLOTS:
     {
         const OpenProjectFile open(path("p.odo").toStdString());
         QString dialogs, text;
-        const auto chosen = ask({chooseOutput(path("p.odo")), answerMessage(dialogs, QMessageBox::Yes), answerMessage(text, QMessageBox::Ok), chooseOutput(path("new.pdf"))});
+        const auto chosen = ask({chooseOutput(path("p.odo")), answerMessage(dialogs, QMessageBox::Yes),
+                                 answerMessage(text, QMessageBox::Ok), chooseOutput(path("new.pdf"))});
         QVERIFY(chosen.has_value());
-        QCOMPARE(text, QStringLiteral("File '%1': it is the project itself. Choose another name.").arg(path("p.odo")));
+        QCOMPARE(
+            text,
+            QStringLiteral("File '%1': it is the project itself. Choose another name.").arg(path("p.odo")));
         QCOMPARE(chosen->file, path("new.pdf"));
     }
 };

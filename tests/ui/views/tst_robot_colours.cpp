@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
-#include "ui/views/robot_colours.h"
-#include "ui/views/series_key.h"
-#include "ui/views/theme.h"
+#include "ui/views/charts/series_colours.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QApplication>
 #include <QImage>
@@ -25,12 +24,15 @@ private Q_SLOTS:
         QTest::addColumn<Places>("places");
         QTest::newRow("none") << Colours{} << Places{};
         QTest::newRow("by themselves") << Colours{Automatic, Automatic, Automatic} << Places{0, 1, 2};
-        QTest::newRow("the others get what nobody chose") << Colours{Automatic, Blue, Automatic} << Places{1, 0, 2};
+        QTest::newRow("the others get what nobody chose")
+            << Colours{Automatic, Blue, Automatic} << Places{1, 0, 2};
         QTest::newRow("the same twice") << Colours{Green, Green, Automatic} << Places{2, 2, 0};
         QTest::newRow("more than there are")
-            << Colours{Automatic, Automatic, Automatic, Automatic, Automatic, Automatic, Automatic} << Places{0, 1, 2, 3, 4, 5, 0};
+            << Colours{Automatic, Automatic, Automatic, Automatic, Automatic, Automatic, Automatic}
+            << Places{0, 1, 2, 3, 4, 5, 0};
         QTest::newRow("all chosen and one more")
-            << Colours{Blue, Vermilion, Green, Purple, Orange, SkyBlue, Automatic} << Places{0, 1, 2, 3, 4, 5, 0};
+            << Colours{Blue, Vermilion, Green, Purple, Orange, SkyBlue, Automatic}
+            << Places{0, 1, 2, 3, 4, 5, 0};
     }
     void chosenOnesAreKept()
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/views/simplified_line.h"
+#include "ui/views/charts/simplified_line.h"
 
 #include "tests/support/registered_test.h"
 
@@ -54,7 +54,8 @@ class TestSimplifiedLine : public QObject
 private Q_SLOTS:
     void shortLinesStay()
     {
-        for (const QPolygonF &line : {QPolygonF(), QPolygonF({QPointF(1, 2)}), QPolygonF({QPointF(1, 2), QPointF(1, 2)})})
+        for (const QPolygonF &line :
+             {QPolygonF(), QPolygonF({QPointF(1, 2)}), QPolygonF({QPointF(1, 2), QPointF(1, 2)})})
             QCOMPARE(simplified(line, 0.2), line);
     }
     void aStraightLineNeedsItsEnds()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/views/table_list.h"
+#include "ui/views/widgets/table_list.h"
 
 #include "tests/support/registered_test.h"
 

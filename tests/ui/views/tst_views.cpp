@@ -2,15 +2,13 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/timeline.h"
-#include "ui/views/camera_view.h"
-#include "ui/views/chart_area.h"
-#include "ui/views/floor_map.h"
-#include "ui/views/profile_chart.h"
-#include "ui/views/result_panel.h"
-#include "ui/views/spike_list.h"
-#include "ui/views/theme.h"
-#include "ui/views/time_slider.h"
-#include "ui/views/timeline_bar.h"
+#include "ui/views/charts/profile_chart.h"
+#include "ui/views/charts/timeline_bar.h"
+#include "ui/views/map/floor_map.h"
+#include "ui/views/picture/camera_view.h"
+#include "ui/views/widgets/figure_grid.h"
+#include "ui/views/widgets/spike_list.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QAbstractSlider>
 #include <QApplication>
@@ -189,7 +187,9 @@ private Q_SLOTS:
         scene->robots[0].analysis->doubtfulNames = {{700ms, 1100ms, {7, 8}, {"Blue 1", "<b>Blue</b> 2"}}};
         const QImage with = picture(scene);
         QVERIFY(with != without);
-        QVERIFY2(m_said.contains(QStringLiteral("from 0.70 s to 1.10 s it is doubtful whether this is Red 2, &lt;b&gt;Blue&lt;/b&gt; 2 or Blue 1")), qPrintable(m_said));
+        QVERIFY2(m_said.contains(QStringLiteral("from 0.70 s to 1.10 s it is doubtful whether this is Red 2, "
+                                                "&lt;b&gt;Blue&lt;/b&gt; 2 or Blue 1")),
+                 qPrintable(m_said));
     }
     void chartsAndMapShadeWhereARobotIsHidden()
     {
@@ -221,7 +221,10 @@ private Q_SLOTS:
         scene->robots[0].occlusions = {{{700ms, 1100ms}, OcclusionCause::HiddenBehind, "A", "<b>Blue</b> 1"}};
         const auto with = pictures(scene);
         QVERIFY(with.first != without.first && with.second != without.second);
-        QVERIFY2(m_said.contains(QStringLiteral("Red 2: hidden behind &lt;b&gt;Blue&lt;/b&gt; 1 in view A (0.70\u00a0s to 1.10\u00a0s)")), qPrintable(m_said));
+        QVERIFY2(
+            m_said.contains(QStringLiteral(
+                "Red 2: hidden behind &lt;b&gt;Blue&lt;/b&gt; 1 in view A (0.70\u00a0s to 1.10\u00a0s)")),
+            qPrintable(m_said));
     }
     void cameraSaysWhyThereIsNoPicture()
     {

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QFrame>
 #include <QObject>
 #include <QString>
 #include <functional>
 #include <vector>
+
+class QLabel;
+class QPushButton;
 
 namespace odo {
 
@@ -47,6 +51,30 @@ private:
     std::size_t m_place = 0;
     LessonStep::IsDone m_isDone;
     bool m_done = false;
+};
+
+class ProjectPages;
+
+/// Five minutes on the demo project, from playing a run to finding it again. The pages must outlive the
+/// lesson.
+std::vector<LessonStep> firstLesson(const ProjectPages &pages);
+
+class Lesson;
+
+/// The present step of a lesson, below the page; hidden while none runs.
+class LessonBar : public QFrame
+{
+    Q_OBJECT
+public:
+    /// lesson must outlive it.
+    explicit LessonBar(Lesson &lesson, QWidget *parent = nullptr);
+
+private:
+    void follow();
+
+    Lesson &m_lesson;
+    QLabel *m_place, *m_tick, *m_title, *m_words;
+    QPushButton *m_next, *m_leave;
 };
 
 } // namespace odo

@@ -5,12 +5,19 @@
 #include <QList>
 #include <QObject>
 #include <QPointer>
+#include <QWidget>
 #include <optional>
 #include <vector>
 
 class QAction;
+class QKeySequenceEdit;
+class QLabel;
+class QLineEdit;
 class QMenu;
 class QMenuBar;
+class QPushButton;
+class QTreeWidget;
+class QTreeWidgetItem;
 
 namespace odo {
 
@@ -58,5 +65,32 @@ private:
 
 /// The text of an action without what is there for its menu: mnemonics and dots.
 QString plainWords(const QString &actionText);
+
+class CommandKeys;
+
+/// The commands with their keys, searched as one types, each of which can be given another one. Every change
+/// counts at once.
+class KeysPage : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit KeysPage(CommandKeys &keys, QWidget *parent = nullptr);
+
+private:
+    void fill();
+    QTreeWidgetItem *groupOf(const QString &words);
+    void filter();
+    void showChosen();
+    void warn();
+    void assign();
+    QString chosen() const;
+
+    CommandKeys &m_keys;
+    QLineEdit *m_search;
+    QTreeWidget *m_list;
+    QKeySequenceEdit *m_key;
+    QPushButton *m_assign, *m_none, *m_usual;
+    QLabel *m_warning;
+};
 
 } // namespace odo

@@ -1,14 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/preferences/preferences_dialog.h"
 
-#include "ui/main_window/preferences/general_page.h"
-#include "ui/main_window/preferences/keys_page.h"
-#include "ui/main_window/preferences/network_page.h"
-#include "ui/main_window/preferences/reports_page.h"
+#include "ui/main_window/language.h"
+#include "ui/main_window/preferences/command_keys.h"
+#include "ui/models/core_words.h"
+#include "ui/models/figure_text.h"
+#include "ui/record/sent_positions.h"
+#include "ui/report/report_settings.h"
+#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/theme.h"
 
+#include <QCheckBox>
+#include <QComboBox>
 #include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QImage>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLinearGradient>
+#include <QPainter>
+#include <QPixmap>
+#include <QSettings>
+#include <QSpinBox>
 #include <QTabWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace odo {
 
@@ -35,6 +51,262 @@ PreferencesDialog::PreferencesDialog(CommandKeys &keys, Theme theme, QWidget *pa
 void PreferencesDialog::turnTo(Page page)
 {
     m_tabs->setCurrentIndex(page);
+}
+
+namespace {
+
+const QString unitsKey = QStringLiteral("units"), scaleKey = QStringLiteral("colourScale");
+
+QIcon swatch(ColourScale scale)
+{
+    QPixmap strip(48, 14);
+    QPainter painter(&strip);
+    for (int x = 0; x < strip.width(); ++x)
+        painter.fillRect(x, 0, 1, strip.height(), scaleColour(double(x) / (strip.width() - 1), scale));
+    return strip;
+}
+
+QLabel *quietWords(const QString &words)
+{
+    auto *label = new QLabel(words);
+    label->setObjectName(QStringLiteral("quiet"));
+    label->setWordWrap(true);
+    return label;
+}
+
+} // namespace
+
+GeneralPage::GeneralPage(Theme theme, QWidget *parent) : QWidget(parent)
+{
+    auto *form = new QFormLayout(this);
+    m_languageWords = quietWords(tr("Odograph shows it when it is started again."));
+    m_languageWords->hide();
+    form->addRow(tr("&Language"), makeLanguages());
+    form->addRow(QString(), m_languageWords);
+    form->addRow(tr("&Units of results"), makeUnits());
+    form->addRow(QString(),
+                 quietWords(tr("Floors and targets are set up in millimetres, as they are printed. Exported "
+                               "files have the units that their format asks for.")));
+    form->addRow(tr("&Theme"), makeThemes(theme));
+    form->addRow(tr("&Colours of maps"), makeScales());
+    form->addRow(QString(),
+                 quietWords(tr("Both can be told apart by people who do not see red or green, and in a "
+                               "print without colours.")));
+}
+
+void GeneralPage::applySettings()
+{
+    const QSettings settings;
+    setShownUnitSystem(unitSystemFromWord(settings.value(unitsKey).toString()));
+    setShownColourScale(colourScaleFromWord(settings.value(scaleKey).toString()));
+}
+
+QComboBox *GeneralPage::makeUnits()
+{
+    auto *box = new QComboBox;
+    box->setAccessibleName(tr("Units of results"));
+    box->addItem(tr("Millimetres and metres: mm, m, m/s"));
+    box->addItem(tr("Centimetres: cm, cm/s"));
+    box->addItem(tr("Inches and feet: in, ft, ft/s"));
+    box->setCurrentIndex(static_cast<int>(shownUnitSystem()));
+    connect(box, &QComboBox::activated, this, [this](int system) {
+        setShownUnitSystem(static_cast<UnitSystem>(system));
+        QSettings().setValue(unitsKey, unitSystemWord(shownUnitSystem()));
+        Q_EMIT lookChanged();
+    });
+    return box;
+}
+
+QComboBox *GeneralPage::makeLanguages()
+{
+    auto *box = new QComboBox;
+    box->setAccessibleName(tr("Language"));
+    box->addItem(tr("As the computer has it"), QString());
+    for (const Language &each : languages())
+        box->addItem(each.name, each.code);
+    box->setCurrentIndex(std::max(0, box->findData(chosenLanguage())));
+    connect(box, &QComboBox::activated, this, [this, box] {
+        chooseLanguage(box->currentData().toString());
+        m_languageWords->show();
+    });
+    return box;
+}
+
+QComboBox *GeneralPage::makeThemes(Theme theme)
+{
+    auto *box = new QComboBox;
+    box->setAccessibleName(tr("Theme"));
+    for (const QString &words : {tr("As the desktop has it"), tr("Light"), tr("Dark")})
+        box->addItem(words);
+    box->setCurrentIndex(static_cast<int>(theme));
+    connect(box, &QComboBox::activated, this,
+            [this](int chosen) { Q_EMIT themeChosen(static_cast<Theme>(chosen)); });
+    return box;
+}
+
+QComboBox *GeneralPage::makeScales()
+{
+    auto *box = new QComboBox;
+    box->setAccessibleName(tr("Colours of maps"));
+    box->setIconSize({48, 14});
+    box->addItem(swatch(ColourScale::Cividis), tr("Cividis"));
+    box->addItem(swatch(ColourScale::Viridis), tr("Viridis"));
+    box->setCurrentIndex(static_cast<int>(shownColourScale()));
+    connect(box, &QComboBox::activated, this, [this](int scale) {
+        setShownColourScale(static_cast<ColourScale>(scale));
+        QSettings().setValue(scaleKey, colourScaleWord(shownColourScale()));
+        Q_EMIT lookChanged();
+    });
+    return box;
+}
+
+namespace {
+
+QLabel *wrapped(const QString &words)
+{
+    auto *label = new QLabel(words);
+    label->setObjectName(QStringLiteral("quiet"));
+    label->setWordWrap(true);
+    return label;
+}
+
+} // namespace
+
+NetworkPage::NetworkPage(QWidget *parent)
+    : QWidget(parent), m_on(new QCheckBox(tr("&Send live positions on the network"))),
+      m_address(new QLineEdit), m_port(new QSpinBox), m_interface(new QComboBox), m_words(wrapped({}))
+{
+    const SentPositions chosen = SentPositions::chosen();
+    m_on->setChecked(chosen.isOn);
+    m_address->setText(QString::fromStdString(chosen.target.address));
+    m_port->setRange(1, 65535);
+    m_port->setValue(chosen.target.port);
+    m_port->setGroupSeparatorShown(false);
+    for (const QString &name : networkInterfaces())
+        m_interface->addItem(name == QString::fromStdString(BroadcastTarget().interface)
+                                 ? tr("%1: this machine only").arg(name)
+                                 : name,
+                             name);
+    const QString own = QString::fromStdString(chosen.target.interface);
+    if (m_interface->findData(own) < 0)
+        m_interface->addItem(tr("%1: not there now").arg(own), own);
+    m_interface->setCurrentIndex(m_interface->findData(own));
+    m_words->setTextFormat(Qt::PlainText);
+    auto *form = new QFormLayout(this);
+    form->addRow(m_on);
+    form->addRow(wrapped(tr("The places of the robots that Record follows, as packets of SSL-Vision, for "
+                            "controllers and programs of your own. No name of "
+                            "a team or a robot is in them.")));
+    form->addRow(tr("&Address"), m_address);
+    form->addRow(tr("&Port"), m_port);
+    form->addRow(tr("&Interface"), m_interface);
+    form->addRow(QString(), m_words);
+    connect(m_on, &QCheckBox::toggled, this, &NetworkPage::choose);
+    connect(m_address, &QLineEdit::textChanged, this, &NetworkPage::choose);
+    connect(m_port, &QSpinBox::valueChanged, this, &NetworkPage::choose);
+    connect(m_interface, &QComboBox::activated, this, &NetworkPage::choose);
+    tell();
+}
+
+/// An address that is being typed is none for a while: until it is one, the one before stays.
+void NetworkPage::choose()
+{
+    tell();
+    SentPositions wanted{m_on->isChecked(),
+                         {m_address->text().trimmed().toStdString(),
+                          static_cast<std::uint16_t>(m_port->value()),
+                          m_interface->currentData().toString().toStdString()}};
+    if (!parseBroadcastTarget(wanted.target.address))
+        wanted.target.address = SentPositions::chosen().target.address;
+    wanted.choose();
+}
+
+void NetworkPage::tell()
+{
+    const std::string address = m_address->text().trimmed().toStdString();
+    const bool isAddress = parseBroadcastTarget(address).has_value(),
+               isGroup = isAddress && isMulticastGroup(address);
+    m_address->setEnabled(m_on->isChecked());
+    m_port->setEnabled(m_on->isChecked());
+    // the way to one machine is the system's affair
+    m_interface->setEnabled(m_on->isChecked() && (isGroup || !isAddress));
+    const bool staysHere =
+        m_interface->currentData().toString() == QString::fromStdString(BroadcastTarget().interface);
+    m_words->setText(!m_on->isChecked() ? tr("Nothing is sent.")
+                     : !isAddress       ? tr("This is no IPv4 address; write it like 224.5.23.2.")
+                     : !isGroup         ? tr("They go to the one machine that has this address.")
+                     : staysHere        ? tr("They do not leave this machine.")
+                                        : tr("Whoever is on that network can read where the robots are."));
+}
+
+ReportsPage::ReportsPage(QWidget *parent)
+    : QWidget(parent), m_settings(storedReportSettings()), m_picture(new QLabel)
+{
+    auto *form = new QFormLayout(this);
+    m_school = addLine(*form, tr("&School"), m_settings.school);
+    m_school->setPlaceholderText(tr("stands at the head of each page"));
+    m_logo = new PathField(tr("Logo"), tr("Pictures (*.png *.jpg *.jpeg *.svg)"));
+    m_logo->setPath(m_settings.logoFile);
+    connect(m_logo, &PathField::changed, this, &ReportsPage::store);
+    auto *label = new QLabel(tr("&Logo"));
+    label->setBuddy(m_logo);
+    form->addRow(label, m_logo);
+    m_picture->setWordWrap(true);
+    m_picture->setTextFormat(Qt::PlainText);
+    m_picture->setAccessibleName(tr("How the logo looks"));
+    form->addRow(QString(), m_picture);
+    m_remark = addLine(*form, tr("&At the foot"), m_settings.remark);
+    m_remark->setPlaceholderText(tr("for example: who answers questions"));
+    connect(&m_reading, &BackgroundTask::finished, this, &ReportsPage::takeLogo);
+    showLogo();
+}
+
+QLineEdit *ReportsPage::addLine(QFormLayout &form, const QString &label, const QString &text)
+{
+    constexpr int longest = 200;
+    auto *line = new QLineEdit(text);
+    line->setMaxLength(longest);
+    form.addRow(label, line);
+    connect(line, &QLineEdit::editingFinished, this, &ReportsPage::store);
+    return line;
+}
+
+void ReportsPage::store()
+{
+    m_settings.school = m_school->text();
+    m_settings.remark = m_remark->text();
+    m_settings.logoFile = textOf(m_logo->path());
+    storeReportSettings(m_settings);
+    showLogo();
+}
+
+/// Or why it cannot be used.
+void ReportsPage::showLogo()
+{
+    static constexpr QSize most(220, 60);
+    m_isOther = m_reading.isRunning();
+    if (m_isOther)
+        return;
+    const auto picture = std::make_shared<QImage>();
+    m_read = picture;
+    m_reading.start([file = m_settings.logoFile, picture](const JobControl &) -> Result<void> {
+        if (file.isEmpty())
+            return {};
+        const auto logo = readLogo(file.toStdString());
+        if (!logo)
+            return tl::unexpected(logo.error());
+        *picture = logo->scaled(most, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+        return {};
+    });
+}
+
+void ReportsPage::takeLogo(const std::optional<Error> &error)
+{
+    if (m_isOther)
+        return showLogo();
+    m_picture->setPixmap(QPixmap::fromImage(*m_read));
+    if (error)
+        m_picture->setText(errorLine(*error));
 }
 
 } // namespace odo

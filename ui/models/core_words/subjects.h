@@ -6,30 +6,42 @@
 #include <QCoreApplication>
 #include <array>
 
-/// The sentences of core, one file a subject. What is changed in core is changed here, and its translations with it
-/// (tests/ui/models/tst_core_words makes core say them).
+/// The sentences of core, one file a subject. What is changed in core is changed here, and its translations
+/// with it (tests/ui/models/tst_core_words makes core say them).
 namespace odo::core_words {
 
 std::span<const CorePattern> calibration(); ///< Verdicts on a lens.
-std::span<const CorePattern> registration(); ///< Verdicts on a camera's place on the floor, its accuracy, what has moved, a length measured again.
-std::span<const CorePattern> attentions(); ///< Attentions and warnings of calibrations, trials, recordings and imports.
-std::span<const CorePattern> health(); ///< Cameras, step, disk and the live map while they run; what a job does.
-std::span<const CorePattern> setup(); ///< Titles, findings and advice of the set-up doctor.
+/// Verdicts on a camera's place on the floor, its accuracy, what has moved, a length measured again.
+std::span<const CorePattern> registration();
+/// Attentions and warnings of calibrations, trials, recordings and imports.
+std::span<const CorePattern> attentions();
+/// Cameras, step, disk and the live map while they run; what a job does.
+std::span<const CorePattern> health();
+std::span<const CorePattern> setup();  ///< Titles, findings and advice of the set-up doctor.
 std::span<const CorePattern> spikes(); ///< Reasons of spikes, and what hid a robot.
-std::span<const CorePattern> changes(); ///< Changes of the project whose words core makes, and where calibrations come from.
-std::span<const CorePattern> errorsProject(); ///< Errors of projects: opening, saving, names, what belongs to what.
-std::span<const CorePattern> errorsVideo(); ///< Errors of videos, imports, roster and tracks of other programs.
+/// Changes of the project whose words core makes, and where calibrations come from.
+std::span<const CorePattern> changes();
+/// Errors of projects: opening, saving, names, what belongs to what.
+std::span<const CorePattern> errorsProject();
+/// Errors of videos, imports, roster and tracks of other programs.
+std::span<const CorePattern> errorsVideo();
 std::span<const CorePattern> errorsCapture(); ///< Errors of cameras, recording and the disk.
-std::span<const CorePattern> errorsCalibration(); ///< Errors of calibrating, registering and checking cameras.
-std::span<const CorePattern> errorsTestbed(); ///< Errors of boards, marker layouts, axes and planned cameras, and of their geometry.
+/// Errors of calibrating, registering and checking cameras.
+std::span<const CorePattern> errorsCalibration();
+/// Errors of boards, marker layouts, axes and planned cameras, and of their geometry.
+std::span<const CorePattern> errorsTestbed();
 std::span<const CorePattern> errorsFiles(); ///< Errors of files that others wrote: tasks, lenses, tracks.
-std::span<const CorePattern> errorsTracking(); ///< Errors of tracking, measuring, comparing, tasks and scoring; and what most errors are about.
+/// Errors of tracking, measuring, comparing, tasks and scoring; and what most errors are about.
+std::span<const CorePattern> errorsTracking();
 std::span<const CorePattern> errorsRest(); ///< Errors that are met seldom.
 
 /// One a subject.
 inline auto all()
 {
-    return std::array{calibration(), registration(), attentions(), health(), setup(), spikes(), changes(), errorsProject(), errorsVideo(), errorsCapture(), errorsCalibration(), errorsTestbed(), errorsFiles(), errorsTracking(), errorsRest()};
+    return std::array{calibration(), registration(),   attentions(),        health(),
+                      setup(),       spikes(),         changes(),           errorsProject(),
+                      errorsVideo(), errorsCapture(),  errorsCalibration(), errorsTestbed(),
+                      errorsFiles(), errorsTracking(), errorsRest()};
 }
 
 } // namespace odo::core_words

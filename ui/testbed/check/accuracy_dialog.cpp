@@ -2,26 +2,155 @@
 #include "ui/testbed/check/accuracy_dialog.h"
 
 #include "core/base/units.h"
+#include "core/calibration/accuracy_map.h"
 #include "ui/models/core_words.h"
-#include "ui/models/error_words.h"
 #include "ui/testbed/check/floor_sketch.h"
-#include "ui/testbed/check/planned_camera_form.h"
-#include "ui/views/card.h"
-#include "ui/views/number_box.h"
-#include "ui/views/plain_button.h"
-#include "ui/views/words_label.h"
+#include "ui/views/widgets/card.h"
+#include "ui/views/widgets/command_keys.h"
+#include "ui/views/widgets/form_fields.h"
+#include "ui/views/widgets/labels.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <QWidget>
+#include <cmath>
+
+class QComboBox;
+class QDoubleSpinBox;
 
 namespace odo {
+
+/// A planned camera in numbers: where it stands, how high, what it looks at, its lens and the size of its
+/// pictures.
+class PlannedCameraForm : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit PlannedCameraForm(QWidget *parent = nullptr);
+    void setCamera(const PlannedCamera &camera);
+    const PlannedCamera &camera() const { return m_camera; }
+
+Q_SIGNALS:
+    void edited(); ///< by a person
+
+private:
+    QDoubleSpinBox *makeNumber(const QString &name, double least, double most, double step,
+                               const QString &unit);
+    void read();
+
+    PlannedCamera m_camera;
+    QDoubleSpinBox *m_x, *m_y, *m_height, *m_aimX, *m_aimY, *m_direction, *m_angle;
+    QComboBox *m_size;
+};
+
+namespace {
+
+constexpr double farMm = 100'000;
+const QSize sizes[] = {{640, 480}, {1280, 720}, {1920, 1080}, {3840, 2160}};
+
+QHBoxLayout *beside(QWidget *one, QWidget *other)
+{
+    auto *row = new QHBoxLayout;
+    row->addWidget(one, 1);
+    row->addWidget(other, 1);
+    return row;
+}
+
+} // namespace
+
+PlannedCameraForm::PlannedCameraForm(QWidget *parent)
+    : QWidget(parent), m_x(makeNumber(tr("Stands at x"), -farMm, farMm, 50, tr(" mm"))),
+      m_y(makeNumber(tr("Stands at y"), -farMm, farMm, 50, tr(" mm"))),
+      m_height(makeNumber(tr("Height of the camera"), 50, 20'000, 50, tr(" mm"))),
+      m_aimX(makeNumber(tr("Looks at x"), -farMm, farMm, 50, tr(" mm"))),
+      m_aimY(makeNumber(tr("Looks at y"), -farMm, farMm, 50, tr(" mm"))),
+      m_direction(makeNumber(tr("Direction in which it looks"), -180, 180, 5, tr("°"))),
+      m_angle(makeNumber(tr("Field of view"), 10, 150, 1, tr("°"))), m_size(new QComboBox)
+{
+    m_direction->setWrapping(true);
+    m_direction->setToolTip(
+        tr("0° is along X, 90° along Y; turning it turns the point that it looks at about the camera"));
+    m_angle->setToolTip(tr("Across the picture's width: a webcam has some 60° to 80°, a phone 65°"));
+    for (const QSize &size : sizes)
+        m_size->addItem(QStringLiteral("%1×%2").arg(size.width()).arg(size.height()), size);
+    m_size->setAccessibleName(tr("Size of its pictures"));
+    auto *form = new QFormLayout(this);
+    form->setContentsMargins(12, 6, 12, 8);
+    const auto row = [form](const QString &text, QWidget *first, auto *field) {
+        auto *label = new QLabel(text);
+        label->setBuddy(first);
+        form->addRow(label, field);
+    };
+    row(tr("&Stands at x, y"), m_x, beside(m_x, m_y));
+    row(tr("&Height"), m_height, m_height);
+    row(tr("&Looks at x, y"), m_aimX, beside(m_aimX, m_aimY));
+    row(tr("D&irection"), m_direction, m_direction);
+    row(tr("&Field of view"), m_angle, beside(m_angle, m_size));
+    connect(m_size, &QComboBox::currentIndexChanged, this, &PlannedCameraForm::read);
+    setCamera({});
+}
+
+QDoubleSpinBox *PlannedCameraForm::makeNumber(const QString &name, double least, double most, double step,
+                                              const QString &unit)
+{
+    auto *number = new NumberBox;
+    number->setRange(least, most);
+    number->setDecimals(0);
+    number->setSingleStep(step);
+    number->setSuffix(unit);
+    number->setAccessibleName(name);
+    number->setKeyboardTracking(false);
+    connect(number, &QDoubleSpinBox::valueChanged, this, &PlannedCameraForm::read);
+    return number;
+}
+
+void PlannedCameraForm::setCamera(const PlannedCamera &camera)
+{
+    m_camera = camera;
+    const Eigen::Vector2d foot = camera.footM();
+    double direction = camera.directionDegrees + 180; // from the camera, not to it
+    direction -= 360 * std::round(direction / 360);
+    const std::pair<QDoubleSpinBox *, double> values[] = {{m_x, toMillimetres(foot.x())},
+                                                          {m_y, toMillimetres(foot.y())},
+                                                          {m_height, toMillimetres(camera.heightM)},
+                                                          {m_aimX, toMillimetres(camera.aimM.x())},
+                                                          {m_aimY, toMillimetres(camera.aimM.y())},
+                                                          {m_direction, direction},
+                                                          {m_angle, camera.fieldOfViewDegrees}};
+    for (const auto &[number, value] : values) {
+        const QSignalBlocker quiet(number);
+        number->setValue(value);
+    }
+    const QSignalBlocker quiet(m_size);
+    m_size->setCurrentIndex(std::max(0, m_size->findData(QSize(camera.widthPx, camera.heightPx))));
+}
+
+void PlannedCameraForm::read()
+{
+    const Eigen::Vector2d foot = fromMillimetres(1) * Eigen::Vector2d(m_x->value(), m_y->value());
+    m_camera.aimM = fromMillimetres(1) * Eigen::Vector2d(m_aimX->value(), m_aimY->value());
+    if (sender() == m_direction) {
+        const double angle = m_direction->value() * EIGEN_PI / 180;
+        m_camera.aimM = foot + m_camera.distanceM * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    }
+    m_camera.standAt(foot);
+    m_camera.heightM = fromMillimetres(m_height->value());
+    m_camera.fieldOfViewDegrees = m_angle->value();
+    const QSize size = m_size->currentData().toSize();
+    m_camera.widthPx = size.width();
+    m_camera.heightPx = size.height();
+    setCamera(PlannedCamera(m_camera));
+    Q_EMIT edited();
+}
+
 namespace {
 
 constexpr int mapSideWidth = 400;
@@ -44,11 +173,13 @@ SketchedCamera sketched(const QString &name, const MappedCamera &camera)
 
 } // namespace
 
-AccuracyDialog::AccuracyDialog(const MarkerLayout &layout, const std::vector<CheckCamera> &cameras, double robotHeightM, QWidget *parent)
-    : QDialog(parent), m_layout(layout), m_sketch(new FloorSketch), m_list(new QListWidget), m_form(new PlannedCameraForm), m_show(new QComboBox),
-      m_robotHeight(new NumberBox), m_reach(new NumberBox), m_above(new QCheckBox(tr("may hang &over the floor"))),
-      m_add(plainButton(tr("&Plan a camera"))), m_remove(plainButton(tr("&Remove"))), m_best(plainButton(tr("&Best place"))), m_summary(new QLabel),
-      m_problem(new QLabel)
+AccuracyDialog::AccuracyDialog(const MarkerLayout &layout, const std::vector<CheckCamera> &cameras,
+                               double robotHeightM, QWidget *parent)
+    : QDialog(parent), m_layout(layout), m_sketch(new FloorSketch), m_list(new QListWidget),
+      m_form(new PlannedCameraForm), m_show(new QComboBox), m_robotHeight(new NumberBox),
+      m_reach(new NumberBox), m_above(new QCheckBox(tr("may hang &over the floor"))),
+      m_add(plainButton(tr("&Plan a camera"))), m_remove(plainButton(tr("&Remove"))),
+      m_best(plainButton(tr("&Best place"))), m_summary(new QLabel), m_problem(new QLabel)
 {
     setWindowTitle(tr("Expected accuracy"));
     for (const CheckCamera &camera : cameras)
@@ -92,9 +223,12 @@ AccuracyDialog::AccuracyDialog(const MarkerLayout &layout, const std::vector<Che
     });
     connect(m_show, &QComboBox::currentIndexChanged, this, &AccuracyDialog::recompute);
     connect(m_robotHeight, &QDoubleSpinBox::valueChanged, this, &AccuracyDialog::recompute);
-    connect(m_sketch, &FloorSketch::picked, m_list, [this](int camera) { m_list->setCurrentRow(int(counted().at(std::size_t(camera)))); });
-    connect(m_sketch, &FloorSketch::cameraDragged, this, [this](int camera, const Eigen::Vector2d &place) { drag(camera, place, false); });
-    connect(m_sketch, &FloorSketch::aimDragged, this, [this](int camera, const Eigen::Vector2d &place) { drag(camera, place, true); });
+    connect(m_sketch, &FloorSketch::picked, m_list,
+            [this](int camera) { m_list->setCurrentRow(int(counted().at(std::size_t(camera)))); });
+    connect(m_sketch, &FloorSketch::cameraDragged, this,
+            [this](int camera, const Eigen::Vector2d &place) { drag(camera, place, false); });
+    connect(m_sketch, &FloorSketch::aimDragged, this,
+            [this](int camera, const Eigen::Vector2d &place) { drag(camera, place, true); });
     connect(&m_maker, &AccuracyMaker::ready, this, &AccuracyDialog::showAccuracy);
     connect(&m_search, &BackgroundTask::finished, this, &AccuracyDialog::placeFound);
     showList();
@@ -151,7 +285,8 @@ QWidget *AccuracyDialog::makePlanCard()
     m_reach->setSuffix(tr(" m"));
     m_reach->setValue(1.5);
     m_above->setToolTip(tr("As under a ceiling; a tripod would stand in the robots' way"));
-    m_best->setToolTip(tr("Puts the camera where, with the others that are ticked, the worst place of the floor is known best"));
+    m_best->setToolTip(tr("Puts the camera where, with the others that are ticked, the worst place of the "
+                          "floor is known best"));
     auto *best = new QHBoxLayout;
     best->addWidget(m_best);
     best->addWidget(m_above);
@@ -171,7 +306,10 @@ QWidget *AccuracyDialog::makePlanCard()
     return card;
 }
 
-int AccuracyDialog::currentRow() const { return m_list->currentRow(); }
+int AccuracyDialog::currentRow() const
+{
+    return m_list->currentRow();
+}
 
 std::optional<PlannedCamera> AccuracyDialog::planned(int row) const
 {
@@ -181,7 +319,8 @@ std::optional<PlannedCamera> AccuracyDialog::planned(int row) const
 
 PlannedCamera *AccuracyDialog::currentPlanned()
 {
-    return currentRow() < 0 ? nullptr : std::get_if<PlannedCamera>(&m_entries.at(std::size_t(currentRow())).camera);
+    return currentRow() < 0 ? nullptr
+                            : std::get_if<PlannedCamera>(&m_entries.at(std::size_t(currentRow())).camera);
 }
 
 void AccuracyDialog::showList()
@@ -191,7 +330,8 @@ void AccuracyDialog::showList()
     m_list->clear();
     for (const Entry &entry : m_entries) {
         const bool isPlanned = std::holds_alternative<PlannedCamera>(entry.camera);
-        auto *item = new QListWidgetItem(isPlanned ? entry.name : tr("%1, registered %2").arg(entry.name, entry.remark), m_list);
+        auto *item = new QListWidgetItem(
+            isPlanned ? entry.name : tr("%1, registered %2").arg(entry.name, entry.remark), m_list);
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
         item->setCheckState(entry.isCounted ? Qt::Checked : Qt::Unchecked);
     }
@@ -211,7 +351,8 @@ void AccuracyDialog::showChosen()
 
 void AccuracyDialog::addPlanned()
 {
-    // Before the middle of the floor's lower edge, as a person would put the first one, as far away as it must be.
+    // Before the middle of the floor's lower edge, as a person would put the first one, as far away as it
+    // must be.
     Eigen::AlignedBox2d floor;
     for (const Marker &marker : m_layout.markers)
         floor.extend(marker.pointInWorld);
@@ -266,8 +407,9 @@ void AccuracyDialog::showAccuracy(const ExpectedAccuracy &accuracy)
     const auto rows = counted();
     for (std::size_t i = 0; i < accuracy.problems.size() && i < rows.size(); ++i)
         if (accuracy.problems[i])
-            problems << tr("%1: %2; %3.").arg(m_entries[rows[i]].name, shownWords(accuracy.problems[i]->why),
-                                             shownWords(accuracy.problems[i]->advice));
+            problems << tr("%1: %2; %3.")
+                            .arg(m_entries[rows[i]].name, shownWords(accuracy.problems[i]->why),
+                                 shownWords(accuracy.problems[i]->advice));
     m_problem->setText(problems.join(QLatin1Char('\n')));
     m_problem->setHidden(problems.isEmpty());
 }
@@ -296,11 +438,13 @@ void AccuracyDialog::findBestPlace()
         if (int(row) == m_foundRow || (m_show->currentIndex() == Alone))
             continue;
         const auto *other = std::get_if<PlannedCamera>(&m_entries[row].camera);
-        if (const auto view = other ? plannedView(*other, m_layout) : Result<FloorView>(std::get<FloorView>(m_entries[row].camera)))
+        if (const auto view = other ? plannedView(*other, m_layout)
+                                    : Result<FloorView>(std::get<FloorView>(m_entries[row].camera)))
             others.push_back(*view);
     }
     const PlaceSearch search{m_reach->value(), m_above->isChecked(), fromMillimetres(m_robotHeight->value())};
-    m_search.start([found = m_found, like = *planned, layout = m_layout, others = std::move(others), search](const JobControl &control) -> Result<void> {
+    m_search.start([found = m_found, like = *planned, layout = m_layout, others = std::move(others),
+                    search](const JobControl &control) -> Result<void> {
         auto best = bestPlace(like, layout, others, search, control);
         if (!best)
             return tl::unexpected(best.error());
@@ -330,3 +474,5 @@ void AccuracyDialog::done(int result)
 }
 
 } // namespace odo
+
+#include "accuracy_dialog.moc"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/calibration/best_place.h"
+#include "core/calibration/accuracy_map.h"
 #include "ui/models/background_task.h"
 #include "ui/testbed/check/check_camera.h"
 #include "ui/testbed/check/expected_accuracy.h"
@@ -21,14 +21,15 @@ namespace odo {
 class FloorSketch;
 class PlannedCameraForm;
 
-/// How well places of the floor will be known: with the registered cameras, one alone, or cameras that are only planned,
-/// which are put by mouse or in numbers, or where they serve best. Stores nothing.
+/// How well places of the floor will be known: with the registered cameras, one alone, or cameras that are
+/// only planned, which are put by mouse or in numbers, or where they serve best. Stores nothing.
 class AccuracyDialog : public QDialog
 {
     Q_OBJECT
 public:
     /// cameras: registered by the layout. robotHeightM: to begin with.
-    AccuracyDialog(const MarkerLayout &layout, const std::vector<CheckCamera> &cameras, double robotHeightM, QWidget *parent = nullptr);
+    AccuracyDialog(const MarkerLayout &layout, const std::vector<CheckCamera> &cameras, double robotHeightM,
+                   QWidget *parent = nullptr);
     ~AccuracyDialog() override;
 
     FloorSketch &sketch() { return *m_sketch; }

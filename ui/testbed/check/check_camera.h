@@ -3,7 +3,7 @@
 
 #include "core/calibration/marker_layout.h"
 #include "core/geometry/floor_view.h"
-#include "ui/models/badge.h"
+#include "ui/models/figure_text.h"
 
 #include <QString>
 #include <filesystem>
@@ -17,10 +17,10 @@ struct CheckCamera
 {
     QString name;
     FloorView view;
-    MarkerLayout layout;                                  ///< it is registered by
+    MarkerLayout layout; ///< it is registered by
     std::optional<std::filesystem::path> newestRecording;
-    std::string deviceUri = {};                           ///< may be empty
-    Badge badge = {};                                     ///< how far it can be relied on
+    std::string deviceUri = {}; ///< may be empty
+    Badge badge = {};           ///< how far it can be relied on
 };
 
 } // namespace odo

@@ -2,17 +2,48 @@
 #pragma once
 
 #include "core/calibration/accuracy_map.h"
-#include "core/calibration/accuracy_words.h"
 #include "ui/models/background_task.h"
-#include "ui/testbed/check/accuracy_layer.h"
 
+#include <QFontMetrics>
 #include <QObject>
+#include <QPalette>
+#include <QPointF>
+#include <QRect>
+#include <QSize>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
 
+class QPainter;
+
 namespace odo {
+
+/// σ over the floor as it is painted: one value a place of the grid, NaN where it is not seen. Metres.
+struct SketchedAccuracy
+{
+    FloorGrid grid;
+    std::vector<double> sigmaM;
+};
+
+/// World metres to widget pixels.
+using ToScreen = std::function<QPointF(const Eigen::Vector2d &)>;
+
+/// Lines of equal σ: of 1, 2, 5, 10... mm, those that lie within the map.
+std::vector<double> accuracyLevelsM(const SketchedAccuracy &accuracy);
+
+/// Paints σ in the colours of cividis (the darker the better known), hatched where nothing is seen, with
+/// lines of equal σ and their millimetres.
+void drawAccuracy(QPainter &painter, const SketchedAccuracy &accuracy, const ToScreen &toScreen,
+                  const QPalette &palette);
+
+/// How large the key is.
+QSize accuracyKeySize(const QFontMetrics &metrics);
+
+/// What the colours mean, as a bar in the lower left corner of the area.
+void drawAccuracyKey(QPainter &painter, const SketchedAccuracy &accuracy, const QRect &area,
+                     const QPalette &palette);
 
 /// A camera of a map: registered, or planned.
 using MappedCamera = std::variant<FloorView, PlannedCamera>;
@@ -33,10 +64,12 @@ struct ExpectedAccuracy
     std::vector<std::optional<Error>> problems; ///< one a camera: why it is not counted
 };
 
-/// σ of a followed robot over the markers and a margin about them, of the cameras that can be there. Pure, any thread.
+/// σ of a followed robot over the markers and a margin about them, of the cameras that can be there. Pure,
+/// any thread.
 ExpectedAccuracy expectedAccuracy(const AccuracyRequest &request);
 
-/// Makes maps on a thread of its own; of the requests that come while one is made only the newest is made next. GUI thread.
+/// Makes maps on a thread of its own; of the requests that come while one is made only the newest is made
+/// next. GUI thread.
 class AccuracyMaker : public QObject
 {
     Q_OBJECT

@@ -3,11 +3,11 @@
 
 #include "ui/models/figure_text.h"
 #include "ui/testbed/floor/floor_drawing.h"
-#include "ui/views/halo_text.h"
-#include "ui/views/theme.h"
+#include "ui/views/picture/picture_painting.h"
+#include "ui/views/widgets/theme.h"
 
-#include <QMouseEvent>
 #include <QLocale>
+#include <QMouseEvent>
 #include <QPainter>
 #include <cmath>
 
@@ -17,7 +17,8 @@ namespace {
 constexpr double borderPx = 34, markerSidePx = 8;
 constexpr double axisM = 0.4;
 
-Eigen::AlignedBox2d boundsOf(const std::optional<MarkerLayout> &layout, const std::vector<SketchedCamera> &cameras,
+Eigen::AlignedBox2d boundsOf(const std::optional<MarkerLayout> &layout,
+                             const std::vector<SketchedCamera> &cameras,
                              const std::optional<SketchedAccuracy> &accuracy)
 {
     Eigen::AlignedBox2d box;
@@ -35,7 +36,10 @@ Eigen::AlignedBox2d boundsOf(const std::optional<MarkerLayout> &layout, const st
     return box;
 }
 
-Eigen::Vector2d footOf(const SketchedCamera &camera) { return camera.pointInWorld.head<2>(); }
+Eigen::Vector2d footOf(const SketchedCamera &camera)
+{
+    return camera.pointInWorld.head<2>();
+}
 
 } // namespace
 
@@ -68,17 +72,21 @@ void FloorSketch::fit()
         return;
     const Eigen::AlignedBox2d box = boundsOf(m_layout, m_cameras, m_accuracy);
     const Eigen::Vector2d extent = box.sizes().cwiseMax(0.1), centre = box.center();
-    // The key must not hide a camera: it has a strip of its own, beneath or on the left, wherever that leaves more room.
+    // The key must not hide a camera: it has a strip of its own, beneath or on the left, wherever that leaves
+    // more room.
     const QSizeF all(width(), height()), key = m_accuracy ? accuracyKeySize(fontMetrics()) : QSize(0, 0);
     const auto scaleIn = [&](const QSizeF &room) {
-        return std::max(1.0, std::min((room.width() - 2 * borderPx) / extent.x(), (room.height() - 2 * borderPx) / extent.y()));
+        return std::max(1.0, std::min((room.width() - 2 * borderPx) / extent.x(),
+                                      (room.height() - 2 * borderPx) / extent.y()));
     };
-    const QSizeF above(all.width(), all.height() - key.height()), beside(all.width() - key.width(), all.height());
+    const QSizeF above(all.width(), all.height() - key.height()),
+        beside(all.width() - key.width(), all.height());
     const bool isBeside = scaleIn(beside) > scaleIn(above);
     const QSizeF room = isBeside ? beside : above;
     m_pixelsPerMetre = scaleIn(room);
     const double left = isBeside ? key.width() : 0;
-    m_origin = {left + room.width() / 2 - centre.x() * m_pixelsPerMetre, room.height() / 2 + centre.y() * m_pixelsPerMetre};
+    m_origin = {left + room.width() / 2 - centre.x() * m_pixelsPerMetre,
+                room.height() / 2 + centre.y() * m_pixelsPerMetre};
 }
 
 QPointF FloorSketch::fromWorld(const Eigen::Vector2d &point) const
@@ -104,7 +112,9 @@ void FloorSketch::paintCamera(QPainter &painter, const SketchedCamera &camera, c
     constexpr double halfAngle = 0.42, wedgePx = 46;
     const QPointF place = fromWorld(footOf(camera)), aim = fromWorld(camera.lookAtInWorld);
     const double angle = std::atan2(aim.y() - place.y(), aim.x() - place.x());
-    const auto corner = [&](double by) { return place + wedgePx * QPointF(std::cos(angle + by), std::sin(angle + by)); };
+    const auto corner = [&](double by) {
+        return place + wedgePx * QPointF(std::cos(angle + by), std::sin(angle + by));
+    };
     QColor ground = colour;
     ground.setAlphaF(0.22f);
     painter.setPen(QPen(colour, 1, camera.isPlanned ? Qt::DashLine : Qt::SolidLine));
@@ -122,7 +132,8 @@ void FloorSketch::paintCamera(QPainter &painter, const SketchedCamera &camera, c
     painter.setBrush(camera.isPlanned ? ThemeColours::of(palette()).card : colour);
     painter.drawEllipse(place, 6, 6);
     painter.setPen(ThemeColours::of(palette()).text);
-    const QString text = tr("%1, %2 m high").arg(camera.name, QLocale().toString(camera.pointInWorld.z(), 'f', 2));
+    const QString text =
+        tr("%1, %2 m high").arg(camera.name, QLocale().toString(camera.pointInWorld.z(), 'f', 2));
     QRectF box = painter.fontMetrics().boundingRect(text);
     box.moveCenter(place + QPointF(0, 17));
     box.moveLeft(std::clamp(box.left(), 4.0, std::max(4.0, width() - box.width() - 4)));
@@ -140,7 +151,8 @@ void FloorSketch::paintMarkers(QPainter &painter) const
         painter.setPen(ink);
         painter.drawText(at, words);
     };
-    for (const auto &[colour, width] : {std::pair(QColor(0, 0, 0, onMap ? 160 : 0), 4.0), std::pair(ink, 1.6)}) {
+    for (const auto &[colour, width] :
+         {std::pair(QColor(0, 0, 0, onMap ? 160 : 0), 4.0), std::pair(ink, 1.6)}) {
         painter.setPen(QPen(colour, width));
         painter.drawLine(fromWorld({0, 0}), fromWorld({axisM, 0}));
         painter.drawLine(fromWorld({0, 0}), fromWorld({0, axisM}));
@@ -151,7 +163,8 @@ void FloorSketch::paintMarkers(QPainter &painter) const
         return;
     for (const Marker &marker : m_layout->markers) {
         const QPointF place = fromWorld(marker.pointInWorld);
-        const QRectF square(place - QPointF(markerSidePx, markerSidePx) / 2, QSizeF(markerSidePx, markerSidePx));
+        const QRectF square(place - QPointF(markerSidePx, markerSidePx) / 2,
+                            QSizeF(markerSidePx, markerSidePx));
         painter.fillRect(square.adjusted(-1, -1, 1, 1), onMap ? QColor(Qt::black) : ink);
         painter.fillRect(square, ink);
         text(place + QPointF(8, 14), QString::fromStdString(marker.label));
@@ -173,7 +186,9 @@ void FloorSketch::paintEvent(QPaintEvent *)
     }
     const bool hasGrid = paintGrid(painter);
     if (m_accuracy)
-        drawAccuracy(painter, *m_accuracy, [this](const Eigen::Vector2d &point) { return fromWorld(point); }, palette());
+        drawAccuracy(
+            painter, *m_accuracy, [this](const Eigen::Vector2d &point) { return fromWorld(point); },
+            palette());
     paintMarkers(painter);
     for (std::size_t i = 0; i < m_cameras.size(); ++i)
         paintCamera(painter, m_cameras[i], seriesColour(static_cast<int>(i), palette()));
@@ -184,7 +199,10 @@ void FloorSketch::paintEvent(QPaintEvent *)
         drawAccuracyKey(painter, *m_accuracy, rect(), palette());
 }
 
-void FloorSketch::resizeEvent(QResizeEvent *) { fit(); }
+void FloorSketch::resizeEvent(QResizeEvent *)
+{
+    fit();
+}
 
 void FloorSketch::mousePressEvent(QMouseEvent *event)
 {
@@ -194,7 +212,9 @@ void FloorSketch::mousePressEvent(QMouseEvent *event)
         const auto isNear = [&](const Eigen::Vector2d &point) {
             return QLineF(fromWorld(point), event->position()).length() <= floorGrabPx;
         };
-        m_held = isNear(footOf(m_cameras[i])) ? Held::Camera : isNear(m_cameras[i].lookAtInWorld) ? Held::Aim : Held::Nothing;
+        m_held = isNear(footOf(m_cameras[i]))         ? Held::Camera
+                 : isNear(m_cameras[i].lookAtInWorld) ? Held::Aim
+                                                      : Held::Nothing;
         if (m_held == Held::Nothing)
             continue;
         m_heldCamera = static_cast<int>(i);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/calibration/marker_layout.h"
-#include "ui/testbed/check/accuracy_layer.h"
+#include "ui/testbed/check/expected_accuracy.h"
 
 #include <Eigen/Geometry>
 #include <QString>
@@ -21,8 +21,8 @@ struct SketchedCamera
     bool isPlanned = false;        ///< drawn dashed, and can be dragged, as can where it looks at
 };
 
-/// The testbed from above: markers, world axes, a grid of half a metre, where the cameras stand and look, and how well
-/// places are expected to be known.
+/// The testbed from above: markers, world axes, a grid of half a metre, where the cameras stand and look, and
+/// how well places are expected to be known.
 class FloorSketch : public QWidget
 {
     Q_OBJECT

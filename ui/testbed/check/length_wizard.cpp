@@ -1,25 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/check/length_wizard.h"
 
-#include "ui/testbed/check/length_page.h"
-#include "ui/testbed/floor/picture_choice.h"
-#include "ui/views/badge_label.h"
+#include "core/base/units.h"
+#include "core/calibration/world_axes.h"
+#include "ui/models/core_words.h"
+#include "ui/models/figure_text.h"
+#include "ui/testbed/floor/marker_canvas.h"
+#include "ui/testbed/floor/still_picture.h"
+#include "ui/views/widgets/card.h"
+#include "ui/views/widgets/form_fields.h"
+#include "ui/views/widgets/labels.h"
+#include "ui/views/widgets/table_list.h"
 
+#include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
 #include <QLabel>
+#include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
 
 namespace odo {
+
 namespace {
 
 enum Page { SourcePage, EndsPage };
 
 } // namespace
 
-LengthWizard::LengthWizard(std::vector<CheckCamera> cameras, const QString &current,
-                           const LiveCameras &live, QWidget *parent)
-    : StepDialog(tr("Check a known length"), tr("&Done"), parent), m_cameras(std::move(cameras)), m_camera(new QComboBox), m_badge(new BadgeLabel({})),
+LengthWizard::LengthWizard(std::vector<CheckCamera> cameras, const QString &current, const LiveCameras &live,
+                           QWidget *parent)
+    : StepDialog(tr("Check a known length"), tr("&Done"), parent), m_cameras(std::move(cameras)),
+      m_camera(new QComboBox), m_badge(new BadgeLabel({})),
       m_choice(new PictureChoice(live, tr("Picture or video of the length"))), m_page(new LengthPage)
 {
     addStep(tr("The camera and its picture"), makeSource(current));
@@ -45,7 +61,8 @@ QWidget *LengthWizard::makeSource(const QString &current)
         m_camera->addItem(camera.name);
     m_camera->setCurrentIndex(std::max(0, m_camera->findText(current)));
     showCamera();
-    auto *intro = new QLabel(tr("Lay something of known length on the floor, away from the markers, and see whether the camera measures it as "
+    auto *intro = new QLabel(tr("Lay something of known length on the floor, away from the markers, and see "
+                                "whether the camera measures it as "
                                 "well as it promises. Nothing is changed by it."));
     intro->setWordWrap(true);
     auto *form = new QFormLayout;
@@ -72,7 +89,10 @@ void LengthWizard::showCamera()
     m_badge->setBadge(camera().badge);
 }
 
-const CheckCamera &LengthWizard::camera() const { return m_cameras.at(std::size_t(m_camera->currentIndex())); }
+const CheckCamera &LengthWizard::camera() const
+{
+    return m_cameras.at(std::size_t(m_camera->currentIndex()));
+}
 
 bool LengthWizard::isComplete(int step) const
 {
@@ -111,6 +131,228 @@ void LengthWizard::done(int result)
 {
     m_task.cancel();
     StepDialog::done(result);
+}
+
+namespace {
+
+constexpr int lengthSideWidth = 380;
+constexpr double byHandPx = 0.5; // of one coordinate of an end that was put by hand
+struct LengthColumn
+{
+    enum { End, Seen, Place, Count };
+};
+
+QString labelOf(int end)
+{
+    return QString::number(end + 1);
+}
+
+/// In mm. Two of them stand beside one another: 3,666, 548 could be read as three; and 0 has no sign.
+QString tenths(double metres)
+{
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    const double rounded = std::round(10 * toMillimetres(metres)) / 10;
+    return locale.toString(rounded == 0 ? 0.0 : rounded, 'f', 1);
+}
+
+} // namespace
+
+LengthPage::LengthPage(QWidget *parent)
+    : QWidget(parent), m_canvas(new MarkerCanvas), m_table(new QTableWidget(2, LengthColumn::Count)),
+      m_told(new NumberBox), m_height(new NumberBox), m_unit(new QComboBox),
+      m_snap(new QCheckBox(tr("Take what lies &near a click"))), m_length(new QLabel), m_words(new QLabel),
+      m_badge(new BadgeLabel({}))
+{
+    m_canvas->setAccessibleName(tr("Picture with both ends; arrow keys move the chosen one, Space snaps it"));
+    m_canvas->setJoined(true);
+    showAsWords(*m_words);
+    m_words->setAccessibleName(tr("Verdict"));
+    m_length->setStyleSheet(QStringLiteral("font-size: 18pt; font-weight: 600"));
+    m_length->setAccessibleName(tr("Measured length"));
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_canvas, 1);
+    layout->addWidget(makeSide());
+    setFocusProxy(m_canvas);
+    connect(m_canvas, &MarkerCanvas::placed, this, &LengthPage::place);
+    connect(m_canvas, &MarkerCanvas::picked, this,
+            [this](const QString &label) { m_table->selectRow(label.toInt() - 1); });
+    connect(m_table, &QTableWidget::currentCellChanged, this,
+            [this] { m_canvas->setCurrent(labelOf(currentEnd())); });
+    connect(m_unit, &QComboBox::currentIndexChanged, this, &LengthPage::evaluate);
+    for (QDoubleSpinBox *number : {m_told, m_height})
+        connect(number, &QDoubleSpinBox::valueChanged, this, &LengthPage::evaluate);
+}
+
+QWidget *LengthPage::makeQuestions()
+{
+    m_told->setRange(0, 1e6);
+    m_told->setDecimals(1);
+    m_told->setSpecialValueText(tr("not known"));
+    m_told->setAccessibleName(tr("True length"));
+    for (const char *unit : {"mm", "cm", "m", "inch"})
+        m_unit->addItem(QString::fromLatin1(unit), lengthFactorFrom(unit).value_or(1));
+    m_unit->setAccessibleName(tr("Unit of the true length"));
+    m_height->setRange(0, 5000);
+    m_height->setDecimals(0);
+    m_height->setSuffix(tr(" mm"));
+    m_height->setSpecialValueText(tr("lies on the floor"));
+    m_snap->setChecked(true);
+    auto *told = new QHBoxLayout;
+    told->addWidget(m_told, 1);
+    told->addWidget(m_unit);
+    auto *toldLabel = new QLabel(tr("&True length"));
+    toldLabel->setBuddy(m_told);
+    auto *content = new QWidget;
+    auto *form = new QFormLayout(content);
+    form->setContentsMargins(12, 8, 12, 10);
+    form->addRow(toldLabel, told);
+    form->addRow(tr("H&eight"), m_height);
+    form->addRow(m_snap);
+    return content;
+}
+
+QWidget *LengthPage::makeSide()
+{
+    m_table->setHorizontalHeaderLabels({tr("End"), tr("Seen as"), tr("On the floor, mm")});
+    m_table->setAccessibleName(tr("Ends of the length"));
+    showAsList(*m_table);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    auto *ends = new Card(tr("Both ends"));
+    ends->setContent(m_table);
+    auto *questions = new Card(tr("What it is"));
+    questions->setContent(makeQuestions());
+    auto *said = new QWidget;
+    auto *saidLayout = new QVBoxLayout(said);
+    saidLayout->setContentsMargins(12, 10, 12, 10);
+    saidLayout->addWidget(m_length);
+    saidLayout->addWidget(m_badge);
+    saidLayout->addWidget(m_words);
+    saidLayout->addStretch(1);
+    auto *result = new Card(tr("Measured"));
+    result->setContent(said);
+    auto *side = new QWidget;
+    side->setFixedWidth(lengthSideWidth);
+    auto *layout = new QVBoxLayout(side);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(ends, 2);
+    layout->addWidget(questions);
+    layout->addWidget(result, 3);
+    return side;
+}
+
+void LengthPage::wait(const QString &words)
+{
+    m_picture.reset();
+    m_ends = {};
+    m_canvas->setPicture({}, {});
+    m_canvas->setEmptyText(words);
+    m_canvas->setFloor(std::nullopt, {});
+    evaluate();
+    m_words->setText(words);
+}
+
+void LengthPage::showFailure(const Error &error)
+{
+    wait(shownWords(error.why));
+    m_words->setText(errorLine(error));
+}
+
+void LengthPage::begin(std::shared_ptr<const StillPicture> picture, const CheckCamera &camera)
+{
+    m_picture = std::move(picture);
+    m_camera = camera;
+    m_canvas->setPicture(m_picture->image, {m_picture->frame.format.width, m_picture->frame.format.height});
+    m_canvas->setFloor(camera.view, camera.layout);
+    m_table->selectRow(0);
+    evaluate();
+    m_canvas->setFocus();
+}
+
+int LengthPage::currentEnd() const
+{
+    return std::max(0, m_table->currentRow());
+}
+
+void LengthPage::place(const QString &label, const Eigen::Vector2d &pixel, bool snap)
+{
+    const int end = std::clamp(label.toInt() - 1, 0, 1);
+    SnappedMarker seen{SnappedMarker::Kind::None, pixel, byHandPx};
+    if (snap && m_snap->isChecked())
+        seen = snapToMarker(m_picture->frame, pixel);
+    const bool snapped = seen.kind != SnappedMarker::Kind::None;
+    m_ends[std::size_t(end)] = End{seen.pixel, snapped ? seen.sigmaPx : byHandPx, snappedWords(seen.kind)};
+    evaluate();
+    if (snap && !m_ends[std::size_t(1 - end)]) // so that a person clicks one after the other
+        m_table->selectRow(1 - end);
+}
+
+std::optional<double> LengthPage::toldM() const
+{
+    if (m_told->value() <= 0)
+        return std::nullopt;
+    return fromMillimetres(m_told->value() * m_unit->currentData().toDouble());
+}
+
+void LengthPage::evaluate()
+{
+    m_check.reset();
+    m_length->clear();
+    m_length->hide();
+    m_badge->setBadge({});
+    showEnds();
+    if (!m_picture)
+        return m_words->clear();
+    if (!m_ends[0] || !m_ends[1])
+        return m_words->setText(tr("Lay something of known length anywhere on the floor, a metre stick or "
+                                   "two markers of known distance, "
+                                   "and click both its ends. By keys: the arrows move an end (Ctrl: fast, "
+                                   "Shift: a pixel), Space snaps it."));
+    const std::string name = m_camera->name.toStdString();
+    const SeenLength seen{&m_camera->view,   name, m_ends[0]->pixel, m_ends[1]->pixel, m_ends[0]->sigmaPx,
+                          m_ends[1]->sigmaPx};
+    const auto check = checkLength({&seen, 1}, toldM(), fromMillimetres(m_height->value()));
+    if (!check)
+        return m_words->setText(errorLine(check.error()));
+    m_check = *check;
+    QLocale locale; // as the sentence below it has it
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    m_length->show();
+    m_length->setText(tr("%1 ± %2 mm")
+                          .arg(locale.toString(toMillimetres(check->lengthM), 'f', 1),
+                               locale.toString(toMillimetres(check->sigmaM), 'f', 1)));
+    if (check->differenceM)
+        m_badge->setBadge(check->agrees ? Badge{tr("inside the expected error"), BadgeState::Good}
+                                        : Badge{tr("outside the expected error"), BadgeState::Bad});
+    m_words->setText(
+        shownWords(check->words) +
+        (check->differenceM ? QString() : tr(" Give its true length to see whether that is right.")));
+}
+
+void LengthPage::showEnds()
+{
+    const double heightM = fromMillimetres(m_height->value());
+    std::vector<MarkerPixel> shown;
+    for (int end = 0; end < 2; ++end) {
+        const auto &put = m_ends[std::size_t(end)];
+        QString place;
+        if (put) {
+            shown.push_back({labelOf(end).toStdString(), put->pixel});
+            if (const auto at = m_camera->view.floorFromPixel(put->pixel, heightM))
+                place = tr("%1, %2").arg(tenths(at->x()), tenths(at->y()));
+            else
+                place = tr("beyond the horizon");
+        }
+        const QString texts[] = {labelOf(end), put ? put->seenAs : tr("not put yet"), place};
+        for (int column = 0; column < LengthColumn::Count; ++column)
+            m_table->setItem(end, column, new QTableWidgetItem(texts[column]));
+    }
+    for (int column = 0; column + 1 < LengthColumn::Count; ++column) // the last takes what is left
+        m_table->resizeColumnToContents(column);
+    m_canvas->setMarkers(std::move(shown));
+    m_canvas->setCurrent(labelOf(currentEnd()));
 }
 
 } // namespace odo

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/check/moved_dialog.h"
 
-#include "core/capture/camera_uri.h"
-#include "ui/models/breakable_text.h"
+#include "core/capture/camera_source.h"
+#include "ui/models/camera_lists.h"
 #include "ui/models/core_words.h"
-#include "ui/models/error_words.h"
 #include "ui/models/figure_text.h"
-#include "ui/models/live_cameras.h"
-#include "ui/views/badge_delegate.h"
-#include "ui/views/path_field.h"
-#include "ui/views/plain_button.h"
-#include "ui/views/table_list.h"
-#include "ui/views/words_label.h"
+#include "ui/views/widgets/command_keys.h"
+#include "ui/views/widgets/labels.h"
+#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/table_list.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -39,7 +36,8 @@ constexpr int fileRole = Qt::UserRole, uriRole = Qt::UserRole + 1;
 /// "sim:A" is camera A, as is the one whose address the project knows.
 bool isTheCamera(const QString &uri, const CheckCamera &camera)
 {
-    return uri == QString::fromStdString(withoutWishes(camera.deviceUri)) || uri.section(QLatin1Char(':'), 1) == camera.name;
+    return uri == QString::fromStdString(withoutWishes(camera.deviceUri)) ||
+           uri.section(QLatin1Char(':'), 1) == camera.name;
 }
 
 Badge badgeOf(const MovedCheck &check)
@@ -79,7 +77,8 @@ MovedDialog::MovedDialog(Project &project, std::vector<CheckCamera> cameras, con
         addRow(row);
     offerLive(live);
     connect(&live, &LiveCameras::changed, this, [this, &live] { offerLive(live); });
-    auto *intro = new QLabel(tr("A camera that was pushed measures wrongly and nothing shows it. Before the robots run, each camera's markers "
+    auto *intro = new QLabel(tr("A camera that was pushed measures wrongly and nothing shows it. Before the "
+                                "robots run, each camera's markers "
                                 "are looked for again in a new picture."));
     intro->setWordWrap(true);
     auto *layout = new QVBoxLayout(this);
@@ -131,7 +130,8 @@ void MovedDialog::addRow(int row)
     }
     choice->addItem(tr("Not checked"));
     choice->addItem(tr("A picture or video…"));
-    m_rows[std::size_t(row)].origin = {choice->currentData(fileRole).toString(), choice->currentData(uriRole).toString()};
+    m_rows[std::size_t(row)].origin = {choice->currentData(fileRole).toString(),
+                                       choice->currentData(uriRole).toString()};
     m_table->setItem(row, MovedColumn::Camera, new QTableWidgetItem(camera.name));
     m_table->setCellWidget(row, MovedColumn::Picture, choice);
     m_table->setItem(row, MovedColumn::Result, new QTableWidgetItem);
@@ -169,12 +169,14 @@ void MovedDialog::choosePicture(int row, int index)
     m_table->selectRow(row);
     m_rows[std::size_t(row)].chosen = true;
     if (index + 1 < choice->count()) {
-        m_rows[std::size_t(row)].origin = {choice->itemData(index, fileRole).toString(), choice->itemData(index, uriRole).toString()};
+        m_rows[std::size_t(row)].origin = {choice->itemData(index, fileRole).toString(),
+                                           choice->itemData(index, uriRole).toString()};
         return;
     }
-    const QString file = QFileDialog::getOpenFileName(this, tr("New picture of camera %1").arg(m_rows[std::size_t(row)].camera.name), {},
-                                                      tr("Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi "
-                                                         "*.mov *.webm);;All files (*)"));
+    const QString file = QFileDialog::getOpenFileName(
+        this, tr("New picture of camera %1").arg(m_rows[std::size_t(row)].camera.name), {},
+        tr("Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi "
+           "*.mov *.webm);;All files (*)"));
     setPicture(row, file.isEmpty() ? PictureOrigin() : PictureOrigin{file, {}});
 }
 
@@ -186,7 +188,8 @@ void MovedDialog::setPicture(int row, const PictureOrigin &origin)
     const int notChecked = choice->count() - 2;
     if (origin.file.isEmpty() && origin.liveUri.isEmpty())
         return choice->setCurrentIndex(notChecked);
-    choice->insertItem(notChecked, origin.file.isEmpty() ? origin.liveUri : QFileInfo(origin.file).fileName());
+    choice->insertItem(notChecked,
+                       origin.file.isEmpty() ? origin.liveUri : QFileInfo(origin.file).fileName());
     choice->setItemData(notChecked, origin.file, fileRole);
     choice->setItemData(notChecked, origin.liveUri, uriRole);
     choice->setCurrentIndex(notChecked);
@@ -216,8 +219,8 @@ void MovedDialog::checkNext()
     Row &row = m_rows[std::size_t(m_waiting.front())];
     row.badge = {tr("looking…"), BadgeState::Neutral};
     showRow(m_waiting.front());
-    m_runner.start(std::make_shared<MovedJob>(
-        MovedSettings{row.camera.name.toStdString(), pathOf(row.origin.file), row.origin.liveUri.toStdString()}));
+    m_runner.start(std::make_shared<MovedJob>(MovedSettings{
+        row.camera.name.toStdString(), pathOf(row.origin.file), row.origin.liveUri.toStdString()}));
 }
 
 void MovedDialog::finishOne(const std::shared_ptr<Job> &job, const std::optional<Error> &error)
@@ -233,8 +236,10 @@ void MovedDialog::finishOne(const std::shared_ptr<Job> &job, const std::optional
     } else {
         row.badge = {tr("not told"), BadgeState::Warning};
         row.words = errorLine(*error);
-        if (error->code == ErrorCode::Undetermined) // where a camera looks quite elsewhere, the list must not go on praising it
-            m_hasChecked = keepNotTold(m_project, row.camera.name.toStdString(), *error).has_value() || m_hasChecked;
+        // where a camera looks quite elsewhere, the list must not go on praising it
+        if (error->code == ErrorCode::Undetermined)
+            m_hasChecked =
+                keepNotTold(m_project, row.camera.name.toStdString(), *error).has_value() || m_hasChecked;
     }
     showRow(m_waiting.front());
     // To what is wrong, so that nobody has to look for it.
@@ -247,7 +252,8 @@ void MovedDialog::finishOne(const std::shared_ptr<Job> &job, const std::optional
 
 void MovedDialog::showRow(int row)
 {
-    const Badge badge = m_rows[std::size_t(row)].badge.text.isEmpty() ? m_rows[std::size_t(row)].camera.badge : m_rows[std::size_t(row)].badge;
+    const Badge badge = m_rows[std::size_t(row)].badge.text.isEmpty() ? m_rows[std::size_t(row)].camera.badge
+                                                                      : m_rows[std::size_t(row)].badge;
     QTableWidgetItem *item = m_table->item(row, MovedColumn::Result);
     item->setText(badge.text); // for the screen reader
     item->setData(resultTextRole, badge.text);
@@ -259,9 +265,13 @@ void MovedDialog::showCurrent()
     const int row = m_table->currentRow();
     const bool isThere = row >= 0 && row < int(m_rows.size());
     const QString words = isThere ? m_rows[std::size_t(row)].words : QString();
-    m_words->setText(words.isEmpty() ? tr("Two markers at least must be seen. Nothing is moved or changed by the check.") : breakable(words));
+    m_words->setText(words.isEmpty()
+                         ? tr("Two markers at least must be seen. Nothing is moved or changed by the check.")
+                         : breakable(words));
     m_register->setEnabled(isThere);
-    m_register->setText(isThere ? tr("&Register %1 again…").arg(m_rows[std::size_t(row)].camera.name.left(mostLetters)) : tr("&Register again…"));
+    m_register->setText(
+        isThere ? tr("&Register %1 again…").arg(m_rows[std::size_t(row)].camera.name.left(mostLetters))
+                : tr("&Register again…"));
 }
 
 void MovedDialog::done(int result)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/workflow/calibrate/moved_job.h"
 #include "core/workflow/job_runner.h"
-#include "core/workflow/moved_job.h"
 #include "ui/testbed/check/check_camera.h"
 #include "ui/testbed/floor/still_picture.h"
 
@@ -20,8 +20,9 @@ namespace odo {
 class LiveCameras;
 struct CameraDescription;
 
-/// Before a trial: looks in a new picture of each registered camera whether it still stands where it was registered. What is
-/// found is kept with the registrations as soon as it is found; a check that is given up keeps nothing.
+/// Before a trial: looks in a new picture of each registered camera whether it still stands where it was
+/// registered. What is found is kept with the registrations as soon as it is found; a check that is given up
+/// keeps nothing.
 class MovedDialog : public QDialog
 {
     Q_OBJECT

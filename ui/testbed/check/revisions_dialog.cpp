@@ -3,17 +3,18 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/register_job.h"
-#include "ui/models/badge.h"
-#include "ui/models/breakable_text.h"
+#include "core/video/picture.h"
+#include "core/video/picture_reader.h"
+#include "core/workflow/calibrate/register_job.h"
+#include "core/workflow/calibrate/revisions.h"
+#include "ui/models/background_task.h"
 #include "ui/models/core_words.h"
-#include "ui/models/error_words.h"
-#include "ui/testbed/check/reprocess_dialog.h"
-#include "ui/testbed/check/revision_picture.h"
-#include "ui/views/badge_delegate.h"
-#include "ui/views/plain_button.h"
-#include "ui/views/table_list.h"
-#include "ui/views/words_label.h"
+#include "ui/models/figure_text.h"
+#include "ui/testbed/floor/marker_canvas.h"
+#include "ui/views/picture/picture_painting.h"
+#include "ui/views/widgets/command_keys.h"
+#include "ui/views/widgets/labels.h"
+#include "ui/views/widgets/table_list.h"
 
 #include <QComboBox>
 #include <QDateTime>
@@ -22,11 +23,87 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace odo {
+
+/// The picture that a calibration or registration was made from, with its markers; read on a thread of its
+/// own. Hidden where none was kept.
+class RevisionPicture : public MarkerCanvas
+{
+    Q_OBJECT
+public:
+    explicit RevisionPicture(QWidget *parent = nullptr);
+    void setRevision(const Revision &revision);
+
+    QSize sizeHint() const override;
+
+private:
+    void read();
+    void show(const std::optional<Error> &error);
+
+    Revision m_revision;
+    struct Read
+    {
+        std::filesystem::path file;
+        QImage image;
+    };
+    std::shared_ptr<Read> m_read; ///< that is being read, or was last
+    BackgroundTask m_task;
+};
+
+RevisionPicture::RevisionPicture(QWidget *parent) : MarkerCanvas(parent)
+{
+    setAttribute(Qt::WA_TransparentForMouseEvents); // to look at
+    setFocusPolicy(Qt::NoFocus);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    setAccessibleName(tr("Picture that it was made from"));
+    connect(&m_task, &BackgroundTask::finished, this, &RevisionPicture::show);
+}
+
+QSize RevisionPicture::sizeHint() const
+{
+    return minimumSizeHint();
+}
+
+void RevisionPicture::setRevision(const Revision &revision)
+{
+    m_revision = revision;
+    setVisible(!revision.picture.empty());
+    setMarkers({});
+    setPicture({}, {});
+    setEmptyText(tr("Reading the picture…"));
+    read();
+}
+
+void RevisionPicture::read()
+{
+    if (m_revision.picture.empty() || m_task.isRunning())
+        return;
+    m_read = std::make_shared<Read>(Read{m_revision.picture, {}});
+    m_task.start([read = m_read](const JobControl &) -> Result<void> {
+        const auto picture = readPicture(read->file);
+        if (!picture)
+            return tl::unexpected(picture.error());
+        read->image = toImage(toScreen(*picture, picture->format.width, picture->format.height));
+        return {};
+    });
+}
+
+void RevisionPicture::show(const std::optional<Error> &error)
+{
+    if (m_read->file != m_revision.picture) // another one was chosen meanwhile
+        return read();
+    if (error)
+        return setEmptyText(tr("The picture cannot be read."));
+    setPicture(m_read->image, m_read->image.size());
+    setMarkers(m_revision.markers);
+}
+
 namespace {
 
 struct RevisionColumn
@@ -45,7 +122,8 @@ QString namesText(const std::vector<std::string> &names)
 
 QString dateText(Instant instant)
 {
-    return QLocale().toString(QDateTime::fromMSecsSinceEpoch(instant.time_since_epoch().count()), QLocale::ShortFormat);
+    return QLocale().toString(QDateTime::fromMSecsSinceEpoch(instant.time_since_epoch().count()),
+                              QLocale::ShortFormat);
 }
 
 } // namespace
@@ -61,7 +139,8 @@ RevisionsDialog::RevisionsDialog(Project &project, const QStringList &cameras, c
     setWindowTitle(tr("Calibrations and registrations"));
     m_camera->addItems(cameras);
     m_camera->setCurrentText(current);
-    m_table->setHorizontalHeaderLabels({tr("What"), tr("Made"), tr("Odograph"), tr("From"), tr("RMS"), tr("Trials"), tr("In force")});
+    m_table->setHorizontalHeaderLabels(
+        {tr("What"), tr("Made"), tr("Odograph"), tr("From"), tr("RMS"), tr("Trials"), tr("In force")});
     m_table->setAccessibleName(tr("Revisions"));
     showAsList(*m_table);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -69,8 +148,10 @@ RevisionsDialog::RevisionsDialog(Project &project, const QStringList &cameras, c
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->setItemDelegateForColumn(RevisionColumn::State,
                                       new BadgeDelegate(stateTextRole, stateBadgeRole, this));
-    m_choose->setToolTip(tr("Puts the chosen revision in force for what is measured from now on; trials keep theirs"));
-    m_register->setToolTip(tr("Computes the registration in force anew from the same markers, with the lens in force"));
+    m_choose->setToolTip(
+        tr("Puts the chosen revision in force for what is measured from now on; trials keep theirs"));
+    m_register->setToolTip(
+        tr("Computes the registration in force anew from the same markers, with the lens in force"));
     showAsWords(*m_words);
     m_words->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     m_words->setMinimumHeight(4 * m_words->fontMetrics().lineSpacing());
@@ -132,7 +213,8 @@ void RevisionsDialog::showRow(int row)
 {
     const Revision &revision = m_revisions[std::size_t(row)];
     const bool isCalibration = revision.kind == Revision::Kind::Calibration;
-    const QString rms = revision.rmsPx > 0 ? tr("%1 px").arg(QLocale().toString(revision.rmsPx, 'f', 2)) : QString();
+    const QString rms =
+        revision.rmsPx > 0 ? tr("%1 px").arg(QLocale().toString(revision.rmsPx, 'f', 2)) : QString();
     const QString texts[] = {(isCalibration ? tr("Calibration %1") : tr("Registration %1")).arg(revision.id),
                              dateText(revision.made),
                              QString::fromStdString(revision.softwareVersion),
@@ -152,14 +234,17 @@ void RevisionsDialog::showCurrent()
     const int row = m_table->currentRow();
     const bool isThere = row >= 0 && row < int(m_revisions.size());
     m_choose->setEnabled(isThere && !m_revisions[std::size_t(row)].isCurrent);
-    m_register->setEnabled(isThere && m_revisions[std::size_t(row)].isCurrent && m_revisions[std::size_t(row)].kind == Revision::Kind::Calibration);
+    m_register->setEnabled(isThere && m_revisions[std::size_t(row)].isCurrent &&
+                           m_revisions[std::size_t(row)].kind == Revision::Kind::Calibration);
     m_reprocess->setEnabled(!m_project.trials().names().value_or(std::vector<TrialName>()).empty());
     m_picture->setRevision(isThere ? m_revisions[std::size_t(row)] : Revision());
     if (!isThere)
         return tell({});
     const Revision &revision = m_revisions[std::size_t(row)];
     QStringList sentences{shownWords(revision.verdict)};
-    sentences << (revision.trials.empty() ? tr("No trial was measured with it.") : tr("Trials measured with it: %1.").arg(namesText(revision.trials)));
+    sentences << (revision.trials.empty()
+                      ? tr("No trial was measured with it.")
+                      : tr("Trials measured with it: %1.").arg(namesText(revision.trials)));
     sentences.removeAll(QString());
     tell(sentences.join(QLatin1Char(' ')));
 }
@@ -170,14 +255,17 @@ void RevisionsDialog::choose()
     if (row < 0 || row >= int(m_revisions.size()))
         return;
     const Revision revision = m_revisions[std::size_t(row)];
-    const auto chosen = chooseRevision(m_project, m_camera->currentText().toStdString(), revision.kind, revision.id);
+    const auto chosen =
+        chooseRevision(m_project, m_camera->currentText().toStdString(), revision.kind, revision.id);
     m_hasChanged = m_hasChanged || chosen.has_value();
     refresh();
     const QString name = m_table->item(row, RevisionColumn::Kind)->text();
     if (!chosen)
         tell(errorLine(chosen.error()));
     else if (revision.kind == Revision::Kind::Calibration)
-        tell(tr("%1 is in force. The registrations keep the lens that they were made with: register the camera with this one.").arg(name));
+        tell(tr("%1 is in force. The registrations keep the lens that they were made with: register the "
+                "camera with this one.")
+                 .arg(name));
     else
         tell(tr("%1 is in force. Trials keep theirs until they are measured again.").arg(name));
 }
@@ -203,6 +291,172 @@ void RevisionsDialog::reprocess()
     refresh();
 }
 
-void RevisionsDialog::tell(const QString &words) { m_words->setText(breakable(words)); }
+void RevisionsDialog::tell(const QString &words)
+{
+    m_words->setText(breakable(words));
+}
+
+namespace {
+
+struct ReprocessColumn
+{
+    enum { Robot, Metric, Before, After, Change, Count };
+};
+
+QString figure(const std::optional<double> &value, const MetricChange &metric)
+{
+    return value ? metricFigure({metric.name, metric.unit, *value, metric.sigma}).text()
+                 : QStringLiteral("–");
+}
+
+/// With its sign; no more digits than the figures have, and a word where none of them changes.
+QString difference(const MetricChange &metric)
+{
+    if (!metric.before || !metric.after)
+        return {};
+    const double change = *metric.after - *metric.before;
+    FigureText text = metricFigure({metric.name, metric.unit, std::abs(change), metric.sigma});
+    text.sigma.clear();
+    static const QRegularExpression anyDigit(QStringLiteral("[1-9]"));
+    if (!text.value.contains(anyDigit))
+        return ReprocessDialog::tr("none");
+    return (change < 0 ? QStringLiteral("−") : QStringLiteral("+")) + text.text();
+}
+
+} // namespace
+
+ReprocessDialog::ReprocessDialog(Project &project, QWidget *parent)
+    : QDialog(parent), m_project(project), m_trial(new QComboBox),
+      m_table(new QTableWidget(0, ReprocessColumn::Count)), m_words(new QLabel),
+      m_begin(plainButton(tr("&Measure again"))), m_keep(plainButton(tr("&Keep"))), m_runner(project)
+{
+    setWindowTitle(tr("Measure trials again"));
+    m_table->setHorizontalHeaderLabels({tr("Robot"), tr("Figure"), tr("Before"), tr("After"), tr("Change")});
+    m_table->setAccessibleName(tr("What changes"));
+    showAsList(*m_table);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    showAsWords(*m_words);
+    m_words->setAccessibleName(tr("What changes, in words"));
+    auto *intro = new QLabel(tr("What was seen in the videos stays as it is; where it lies on the floor is "
+                                "computed with the registrations in "
+                                "force now. Look at what changes, then keep it or not: the older analysis "
+                                "stays in the project too."));
+    intro->setWordWrap(true);
+    auto *form = new QFormLayout;
+    form->addRow(tr("&Trial"), m_trial);
+    auto *close = plainButton(tr("Close"));
+    auto *buttons = new QHBoxLayout;
+    buttons->addWidget(m_begin);
+    buttons->addStretch(1);
+    buttons->addWidget(m_keep);
+    buttons->addWidget(close);
+    m_begin->setDefault(true);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 12, 16, 12);
+    layout->addWidget(intro);
+    layout->addLayout(form);
+    layout->addWidget(m_words);
+    layout->addWidget(m_table, 1);
+    layout->addLayout(buttons);
+    resize(760, 560);
+    fillTrials();
+    connect(close, &QPushButton::clicked, this, &QDialog::reject);
+    connect(m_begin, &QPushButton::clicked, this, &ReprocessDialog::begin);
+    connect(m_keep, &QPushButton::clicked, this, &ReprocessDialog::keep);
+    connect(m_trial, &QComboBox::currentIndexChanged, this, &ReprocessDialog::forget);
+    connect(&m_runner, &JobRunner::finished, this, &ReprocessDialog::finish);
+    forget();
+}
+
+ReprocessDialog::~ReprocessDialog() = default;
+
+void ReprocessDialog::fillTrials()
+{
+    const std::vector<std::string> outdated = outdatedTrials(m_project).value_or(std::vector<std::string>());
+    const QString current = m_trial->currentData().toString();
+    const QSignalBlocker quiet(m_trial);
+    m_trial->clear();
+    for (const TrialName &trial : m_project.trials().names().value_or(std::vector<TrialName>())) {
+        const QString name = QString::fromStdString(trial.name);
+        const bool isOld = std::ranges::find(outdated, trial.name) != outdated.end();
+        // Those that a newer registration concerns come first.
+        m_trial->insertItem(isOld ? 0 : m_trial->count(),
+                            isOld ? tr("%1 (measured with an older registration)").arg(name) : name, name);
+    }
+    m_trial->setCurrentIndex(std::max(0, m_trial->findData(current)));
+}
+
+void ReprocessDialog::forget()
+{
+    m_done.reset();
+    m_table->setRowCount(0);
+    m_words->clear();
+    m_keep->setEnabled(false);
+    m_begin->setEnabled(!m_runner.isRunning() && m_trial->count() > 0);
+}
+
+void ReprocessDialog::begin()
+{
+    forget();
+    m_begin->setEnabled(false);
+    m_trial->setEnabled(false);
+    m_words->setText(tr("Measuring…"));
+    m_runner.start(std::make_shared<ReprocessJob>(m_trial->currentData().toString().toStdString()));
+}
+
+void ReprocessDialog::finish(const std::shared_ptr<Job> &job, const std::optional<Error> &error)
+{
+    forget();
+    m_trial->setEnabled(true);
+    m_begin->setEnabled(true);
+    if (error)
+        return m_words->setText(errorLine(*error));
+    m_done = std::static_pointer_cast<ReprocessJob>(job);
+    showChanges();
+    m_keep->setEnabled(true);
+}
+
+void ReprocessDialog::showChanges()
+{
+    QStringList sentences;
+    for (const ReprocessedRobot &robot : m_done->robots()) {
+        const QString name = QString::fromStdString(robot.name);
+        sentences << tr("%1: %2").arg(name, shownWords(robot.change.words));
+        for (const MetricChange &metric : robot.change.metrics)
+            addMetric(name, metric);
+    }
+    m_words->setText(sentences.join(QLatin1Char('\n')));
+    m_table->resizeColumnsToContents();
+}
+
+void ReprocessDialog::addMetric(const QString &robot, const MetricChange &metric)
+{
+    const int row = m_table->rowCount();
+    m_table->insertRow(row);
+    const QString texts[] = {robot, metricName(metric.name), figure(metric.before, metric),
+                             figure(metric.after, metric), difference(metric)};
+    for (int column = 0; column < ReprocessColumn::Count; ++column)
+        m_table->setItem(row, column, new QTableWidgetItem(texts[column]));
+}
+
+void ReprocessDialog::keep()
+{
+    const auto kept = m_done->keep(m_project);
+    const QString trial = QString::fromStdString(m_done->trial());
+    m_hasKept = m_hasKept || kept.has_value();
+    fillTrials();
+    m_done.reset();
+    m_keep->setEnabled(false);
+    m_words->setText(kept ? tr("Kept: the new analysis of %1 is the current one.").arg(trial)
+                          : errorLine(kept.error()));
+}
+
+void ReprocessDialog::done(int result)
+{
+    m_runner.cancel();
+    QDialog::done(result);
+}
 
 } // namespace odo
+
+#include "revisions_dialog.moc"

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/workflow/revisions.h"
+#include "core/workflow/calibrate/revisions.h"
+#include "core/workflow/job_runner.h"
+#include "core/workflow/track/reanalysis.h"
 
 #include <QDialog>
 #include <QStringList>
+#include <memory>
 #include <vector>
 
 class QComboBox;
@@ -17,14 +20,16 @@ namespace odo {
 class Project;
 class RevisionPicture;
 
-/// Every calibration and registration of a camera: when, by which version, from what, how good, and which trials were
-/// measured with it. An older one can be put in force again, and trials measured anew with what is in force.
+/// Every calibration and registration of a camera: when, by which version, from what, how good, and which
+/// trials were measured with it. An older one can be put in force again, and trials measured anew with what
+/// is in force.
 class RevisionsDialog : public QDialog
 {
     Q_OBJECT
 public:
     /// The project must outlive the dialog; used on its own thread.
-    RevisionsDialog(Project &project, const QStringList &cameras, const QString &current, QWidget *parent = nullptr);
+    RevisionsDialog(Project &project, const QStringList &cameras, const QString &current,
+                    QWidget *parent = nullptr);
     ~RevisionsDialog() override;
 
     /// Something was changed in the project.
@@ -47,6 +52,40 @@ private:
     QLabel *m_words;
     RevisionPicture *m_picture;
     QPushButton *m_choose, *m_register, *m_reprocess;
+};
+
+/// Measures a trial again with the registrations in force and shows what that changes, figure by figure,
+/// before it is kept. What is not kept leaves nothing behind.
+class ReprocessDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    /// The project must outlive the dialog; used on its own thread.
+    explicit ReprocessDialog(Project &project, QWidget *parent = nullptr);
+    ~ReprocessDialog() override;
+
+    bool isRunning() const { return m_runner.isRunning(); }
+    bool hasKept() const { return m_hasKept; }
+
+    void done(int result) override;
+
+private:
+    void fillTrials();
+    void forget();
+    void begin();
+    void finish(const std::shared_ptr<Job> &job, const std::optional<Error> &error);
+    void showChanges();
+    void addMetric(const QString &robot, const MetricChange &metric);
+    void keep();
+
+    Project &m_project;
+    bool m_hasKept = false;
+    QComboBox *m_trial;
+    QTableWidget *m_table;
+    QLabel *m_words;
+    QPushButton *m_begin, *m_keep;
+    std::shared_ptr<ReprocessJob> m_done; ///< what is shown, to be kept
+    JobRunner m_runner;
 };
 
 } // namespace odo

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/project/records.h"
-#include "ui/models/badge.h"
+#include "ui/models/figure_text.h"
 
 #include <QString>
 #include <filesystem>
@@ -14,9 +14,9 @@ namespace odo {
 struct FloorCamera
 {
     QString name;
-    std::optional<IntrinsicsRecord> intrinsics;          ///< in force
+    std::optional<IntrinsicsRecord> intrinsics;           ///< in force
     std::optional<std::filesystem::path> newestRecording; ///< in which the markers may be seen
-    Badge badge = {}; ///< of the registration in force
+    Badge badge = {};                                     ///< of the registration in force
 };
 
 } // namespace odo

@@ -3,14 +3,14 @@
 
 #include "core/base/units.h"
 #include "core/exchange/file_name.h"
-#include "core/exchange/layout_csv.h"
-#include "core/geometry/point_layout.h"
-#include "ui/models/error_words.h"
-#include "ui/models/typed_number.h"
-#include "ui/testbed/floor/layout_drawing.h"
-#include "ui/views/output_question.h"
-#include "ui/views/path_field.h"
-#include "ui/views/plain_button.h"
+#include "core/exchange/labelled_points.h"
+#include "core/geometry/homography.h"
+#include "ui/models/core_words.h"
+#include "ui/models/figure_text.h"
+#include "ui/testbed/floor/floor_drawing.h"
+#include "ui/views/widgets/command_keys.h"
+#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QFileDialog>
 #include <QFormLayout>
@@ -18,15 +18,20 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QMenu>
+#include <QMouseEvent>
+#include <QPainter>
 #include <QPushButton>
 #include <QSet>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace odo {
+
 namespace {
 
 struct LayoutColumn
@@ -35,7 +40,10 @@ struct LayoutColumn
 };
 constexpr double flatterThan = 0.05; // of the extent: such markers say little across
 
-QString csvFilter() { return LayoutDialog::tr("Tables (*.csv *.txt);;All files (*)"); }
+QString csvFilter()
+{
+    return LayoutDialog::tr("Tables (*.csv *.txt);;All files (*)");
+}
 
 QString freeName(QString name, const QStringList &taken)
 {
@@ -64,7 +72,8 @@ LayoutDialog::LayoutDialog(const MarkerLayout &start, const QStringList &taken, 
     m_message->setTextFormat(Qt::PlainText);
     m_message->setObjectName(QStringLiteral("problem"));
     m_message->setAccessibleName(tr("What is wrong"));
-    auto *intro = new QLabel(tr("Where the markers lie on the floor, measured with a tape: millimetres from the origin. X goes to the right, Y "
+    auto *intro = new QLabel(tr("Where the markers lie on the floor, measured with a tape: millimetres from "
+                                "the origin. X goes to the right, Y "
                                 "away from you, seen from above."));
     intro->setWordWrap(true);
     auto *form = new QFormLayout;
@@ -91,7 +100,8 @@ LayoutDialog::LayoutDialog(const MarkerLayout &start, const QStringList &taken, 
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
     connect(m_name, &QLineEdit::textChanged, this, [this] { check(); });
     connect(m_table, &QTableWidget::cellChanged, this, &LayoutDialog::readRow);
-    connect(m_table, &QTableWidget::currentCellChanged, this, [this](int current) { m_drawing->setLayout(m_layout, current); });
+    connect(m_table, &QTableWidget::currentCellChanged, this,
+            [this](int current) { m_drawing->setLayout(m_layout, current); });
     connect(m_drawing, &LayoutDrawing::picked, m_table, &QTableWidget::selectRow);
     connect(m_drawing, &LayoutDrawing::moved, this, [this](int marker, const Eigen::Vector2d &place) {
         m_layout.markers[std::size_t(marker)].pointInWorld = place;
@@ -122,7 +132,8 @@ QWidget *LayoutDialog::makeTable()
 
 QWidget *LayoutDialog::makeTools()
 {
-    auto *add = plainButton(tr("&Add")), *remove = plainButton(tr("&Remove")), *axes = plainButton(tr("A&xes")), *csv = plainButton(tr("&CSV"));
+    auto *add = plainButton(tr("&Add")), *remove = plainButton(tr("&Remove")),
+         *axes = plainButton(tr("A&xes")), *csv = plainButton(tr("&CSV"));
     connect(add, &QPushButton::clicked, this, &LayoutDialog::addMarker);
     connect(remove, &QPushButton::clicked, this, &LayoutDialog::removeMarker);
     auto *axesMenu = new QMenu(axes);
@@ -135,18 +146,24 @@ QWidget *LayoutDialog::makeTools()
     axesMenu->addAction(tr("&Quarter turn"), this, [this] { changeAxes({.turnDegrees = 90}); });
     axesMenu->addAction(tr("&Half turn"), this, [this] { changeAxes({.reverseX = true, .reverseY = true}); });
     axesMenu->addSeparator();
-    for (const auto &[unit, words] : {std::pair("cm", tr("They were &centimetres")), std::pair("m", tr("They were &metres")), std::pair("inch", tr("They were &inches"))})
-        axesMenu->addAction(words, this, [this, unit = unit] { changeAxes({.lengthFactor = *lengthFactorFrom(unit)}); });
+    for (const auto &[unit, words] :
+         {std::pair("cm", tr("They were &centimetres")), std::pair("m", tr("They were &metres")),
+          std::pair("inch", tr("They were &inches"))})
+        axesMenu->addAction(words, this,
+                            [this, unit = unit] { changeAxes({.lengthFactor = *lengthFactorFrom(unit)}); });
     axes->setMenu(axesMenu);
     auto *csvMenu = new QMenu(csv);
     csvMenu->addAction(tr("&Import…"), this, [this] {
-        const QString file = QFileDialog::getOpenFileName(this, tr("Places of the markers (label,x_mm,y_mm)"), {}, csvFilter());
+        const QString file = QFileDialog::getOpenFileName(this, tr("Places of the markers (label,x_mm,y_mm)"),
+                                                          {}, csvFilter());
         if (!file.isEmpty())
             tell(importCsv(file));
     });
     csvMenu->addAction(tr("&Export…"), this, [this] {
-        const QString offered = QString::fromStdString(fileNameOf(m_name->text().toStdString())) + QStringLiteral(".csv");
-        if (const auto chosen = askOutput(this, tr("Places of the markers"), offered, {{csvFilter(), QStringLiteral("csv"), FileKind::Csv}}))
+        const QString offered =
+            QString::fromStdString(fileNameOf(m_name->text().toStdString())) + QStringLiteral(".csv");
+        if (const auto chosen = askOutput(this, tr("Places of the markers"), offered,
+                                          {{csvFilter(), QStringLiteral("csv"), FileKind::Csv}}))
             tell(exportCsv(chosen->target));
     });
     csv->setMenu(csvMenu);
@@ -167,8 +184,11 @@ void LayoutDialog::showMarkers()
         const Marker &marker = m_layout.markers[std::size_t(i)];
         QLocale locale; // a person edits these: 2,750 could be read as 2.75
         locale.setNumberOptions(QLocale::OmitGroupSeparator);
-        const auto number = [&](double metres) { return std::isfinite(metres) ? locale.toString(toMillimetres(metres), 'g', 9) : QString(); };
-        const QString texts[] = {QString::fromStdString(marker.label), number(marker.pointInWorld.x()), number(marker.pointInWorld.y())};
+        const auto number = [&](double metres) {
+            return std::isfinite(metres) ? locale.toString(toMillimetres(metres), 'g', 9) : QString();
+        };
+        const QString texts[] = {QString::fromStdString(marker.label), number(marker.pointInWorld.x()),
+                                 number(marker.pointInWorld.y())};
         for (int column = 0; column < LayoutColumn::Count; ++column)
             m_table->setItem(i, column, new QTableWidgetItem(texts[column]));
     }
@@ -193,7 +213,10 @@ void LayoutDialog::readRow(int row)
 void LayoutDialog::addMarker()
 {
     QString label = QStringLiteral("P1");
-    const auto taken = [&] { return std::ranges::any_of(m_layout.markers, [&](const Marker &marker) { return marker.label == label.toStdString(); }); };
+    const auto taken = [&] {
+        return std::ranges::any_of(m_layout.markers,
+                                   [&](const Marker &marker) { return marker.label == label.toStdString(); });
+    };
     for (int number = 1; taken(); ++number)
         label = QStringLiteral("P%1").arg(number);
     m_layout.markers.push_back({label.toStdString(), {1, 1}});
@@ -213,7 +236,8 @@ QString LayoutDialog::problem() const
     if (m_name->text().trimmed().isEmpty())
         return tr("The layout has no name.");
     if (m_taken.contains(m_name->text().trimmed()))
-        return tr("There is a layout of that name: cameras may stand on it, so it is not overwritten. Give another name.");
+        return tr("There is a layout of that name: cameras may stand on it, so it is not overwritten. Give "
+                  "another name.");
     QSet<QString> labels;
     std::vector<Eigen::Vector2d> points;
     for (const Marker &marker : m_layout.markers) {
@@ -230,10 +254,12 @@ QString LayoutDialog::problem() const
     if (points.size() < 4)
         return tr("Four markers are needed, there are %1.").arg(points.size());
     if (const auto twins = coincidentPoints(points))
-        return tr("%1 and %2 lie at one place.").arg(QString::fromStdString(m_layout.markers[std::size_t((*twins)[0])].label),
-                                                   QString::fromStdString(m_layout.markers[std::size_t((*twins)[1])].label));
+        return tr("%1 and %2 lie at one place.")
+            .arg(QString::fromStdString(m_layout.markers[std::size_t((*twins)[0])].label),
+                 QString::fromStdString(m_layout.markers[std::size_t((*twins)[1])].label));
     if (widestQuadrilateral(points).flatness < flatterThan)
-        return tr("The markers lie nearly on a line: they do not tell where the camera stands. Lay one aside.");
+        return tr(
+            "The markers lie nearly on a line: they do not tell where the camera stands. Lay one aside.");
     return {};
 }
 
@@ -261,7 +287,10 @@ Result<void> LayoutDialog::importCsv(const QString &file)
     return {};
 }
 
-Result<void> LayoutDialog::exportCsv(const OutputTarget &target) const { return writeLayoutCsv(target, m_layout); }
+Result<void> LayoutDialog::exportCsv(const OutputTarget &target) const
+{
+    return writeLayoutCsv(target, m_layout);
+}
 
 void LayoutDialog::changeAxes(const AxesChange &change)
 {
@@ -270,6 +299,122 @@ void LayoutDialog::changeAxes(const AxesChange &change)
         return tell(tl::unexpected(axes.error()));
     m_layout = transformed(m_layout, *axes);
     showMarkers();
+}
+
+namespace {
+
+constexpr double leastExtentM = 1, filledPart = 0.7;
+
+} // namespace
+
+LayoutDrawing::LayoutDrawing(QWidget *parent) : QWidget(parent)
+{
+    setAccessibleName(tr("Markers from above"));
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+}
+
+void LayoutDrawing::setLayout(const MarkerLayout &layout, int current)
+{
+    m_layout = layout;
+    m_current = current;
+    if (!m_dragging) // the ground must not move under the hand
+        fit();
+    update();
+}
+
+void LayoutDrawing::fit()
+{
+    Eigen::Vector2d lower(0, 0), upper(0, 0); // the axes begin in the origin
+    for (const Marker &marker : m_layout.markers) {
+        if (!marker.pointInWorld.allFinite())
+            continue;
+        lower = lower.cwiseMin(marker.pointInWorld);
+        upper = upper.cwiseMax(marker.pointInWorld);
+    }
+    m_middle = 0.5 * (lower + upper);
+    const Eigen::Vector2d extent = (upper - lower).cwiseMax(leastExtentM);
+    m_pixelsPerMetre = filledPart * std::min(width() / extent.x(), height() / extent.y());
+}
+
+QPointF LayoutDrawing::toScreen(const Eigen::Vector2d &point) const
+{
+    const Eigen::Vector2d from = m_pixelsPerMetre * (point - m_middle);
+    return {0.5 * width() + from.x(), 0.5 * height() - from.y()};
+}
+
+Eigen::Vector2d LayoutDrawing::toWorld(const QPointF &place) const
+{
+    return m_middle +
+           Eigen::Vector2d(place.x() - 0.5 * width(), 0.5 * height() - place.y()) / m_pixelsPerMetre;
+}
+
+void LayoutDrawing::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const ThemeColours colours = ThemeColours::of(palette());
+    painter.fillRect(rect(), colours.mapGround);
+    painter.setPen(colours.mapGrid);
+    const Eigen::Vector2d lower = toWorld({0, double(height())}), upper = toWorld({double(width()), 0});
+    const std::vector<double> columns = floorGridLines(lower.x(), upper.x());
+    for (const double x : columns)
+        painter.drawLine(QPointF(toScreen({x, 0}).x(), 0), QPointF(toScreen({x, 0}).x(), height()));
+    for (const double y : columns.empty() ? std::vector<double>() : floorGridLines(lower.y(), upper.y()))
+        painter.drawLine(QPointF(0, toScreen({0, y}).y()), QPointF(width(), toScreen({0, y}).y()));
+    const QPointF origin = toScreen({0, 0});
+    const double axis = 46;
+    painter.setPen(QPen(colours.text, 1.6));
+    painter.drawLine(origin, origin + QPointF(axis, 0));
+    painter.drawLine(origin, origin - QPointF(0, axis));
+    painter.drawText(origin + QPointF(axis + 4, 4), QStringLiteral("X"));
+    painter.drawText(origin + QPointF(-4, -axis - 5), QStringLiteral("Y"));
+    for (int i = 0; i < int(m_layout.markers.size()); ++i) {
+        const Marker &marker = m_layout.markers[std::size_t(i)];
+        if (!marker.pointInWorld.allFinite())
+            continue;
+        const QPointF at = toScreen(marker.pointInWorld);
+        painter.setPen(QPen(i == m_current ? colours.accent : colours.text, i == m_current ? 2.5 : 1));
+        painter.setBrush(i == m_current ? colours.card : colours.text);
+        painter.drawRect(QRectF(at.x() - 6, at.y() - 6, 12, 12));
+        painter.setPen(colours.text);
+        painter.drawText(at + QPointF(10, 16), QString::fromStdString(marker.label));
+    }
+    painter.setPen(colours.muted);
+    painter.drawText(rect().adjusted(8, 6, -8, -6), Qt::AlignRight | Qt::AlignBottom,
+                     !columns.empty() ? tr("grid %1 m").arg(QLocale().toString(floorGridM)) : QString());
+}
+
+void LayoutDrawing::mousePressEvent(QMouseEvent *event)
+{
+    for (int i = 0; i < int(m_layout.markers.size()); ++i) {
+        if (QLineF(toScreen(m_layout.markers[std::size_t(i)].pointInWorld), event->position()).length() >
+            floorGrabPx)
+            continue;
+        m_current = i;
+        m_dragging = true;
+        Q_EMIT picked(i);
+        update();
+        return;
+    }
+}
+
+void LayoutDrawing::mouseMoveEvent(QMouseEvent *event)
+{
+    if (!m_dragging)
+        return;
+    Q_EMIT moved(m_current, onDragStep(toWorld(event->position())));
+}
+
+void LayoutDrawing::mouseReleaseEvent(QMouseEvent *)
+{
+    m_dragging = false;
+    fit();
+    update();
+}
+
+void LayoutDrawing::resizeEvent(QResizeEvent *)
+{
+    fit();
 }
 
 } // namespace odo

@@ -4,10 +4,11 @@
 #include "core/base/error.h"
 #include "core/calibration/marker_layout.h"
 #include "core/calibration/world_axes.h"
-#include "core/files/output_guard.h"
+#include "core/files/output_file.h"
 
 #include <QDialog>
 #include <QStringList>
+#include <QWidget>
 #include <vector>
 
 class QLabel;
@@ -19,8 +20,8 @@ namespace odo {
 
 class LayoutDrawing;
 
-/// Makes a marker layout, or a new one out of a stored one: a table and a drawing of the same markers, the axes, CSV in
-/// and out. Stores nothing: that is up to whoever opened it, once it is accepted.
+/// Makes a marker layout, or a new one out of a stored one: a table and a drawing of the same markers, the
+/// axes, CSV in and out. Stores nothing: that is up to whoever opened it, once it is accepted.
 class LayoutDialog : public QDialog
 {
     Q_OBJECT
@@ -54,6 +55,39 @@ private:
     LayoutDrawing *m_drawing;
     QLabel *m_message;
     QPushButton *m_save = nullptr;
+};
+
+/// The markers from above, to scale, with the world's axes; they can be dragged, in steps of a centimetre.
+class LayoutDrawing : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit LayoutDrawing(QWidget *parent = nullptr);
+    void setLayout(const MarkerLayout &layout, int current);
+    QSize sizeHint() const override { return {420, 360}; }
+    QSize minimumSizeHint() const override { return {240, 200}; }
+
+Q_SIGNALS:
+    void picked(int marker);
+    void moved(int marker, const Eigen::Vector2d &pointInWorld);
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    void fit();
+    QPointF toScreen(const Eigen::Vector2d &point) const;
+    Eigen::Vector2d toWorld(const QPointF &place) const;
+
+    MarkerLayout m_layout;
+    int m_current = -1;
+    bool m_dragging = false;
+    Eigen::Vector2d m_middle = Eigen::Vector2d::Zero();
+    double m_pixelsPerMetre = 100;
 };
 
 } // namespace odo

@@ -2,9 +2,10 @@
 #include "ui/testbed/floor/marker_canvas.h"
 
 #include "ui/testbed/floor/floor_drawing.h"
-#include "ui/views/halo_text.h"
-#include "ui/views/theme.h"
+#include "ui/views/picture/picture_painting.h"
+#include "ui/views/widgets/theme.h"
 
+#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -13,9 +14,11 @@
 #include <cmath>
 
 namespace odo {
+
 namespace {
 
-const QColor markerColour(86, 180, 233), currentColour(240, 228, 66), gridColour(255, 255, 255, 90), axisColour(255, 255, 255, 220);
+const QColor markerColour(86, 180, 233), currentColour(240, 228, 66), gridColour(255, 255, 255, 90),
+    axisColour(255, 255, 255, 220);
 constexpr double keyStepPx = 0.1, largeKeyStepPx = 1, leapPx = 20;
 constexpr double magnifierPx = 132, magnification = 5;
 constexpr int piecesOfALine = 24; // a straight line of the floor is bent by the lens
@@ -78,7 +81,8 @@ QRectF MarkerCanvas::pictureRect() const
 QPointF MarkerCanvas::fromPixel(const Eigen::Vector2d &pixel) const
 {
     const QRectF place = pictureRect();
-    return place.topLeft() + QPointF((pixel.x() + 0.5) * place.width() / m_size.width(), (pixel.y() + 0.5) * place.height() / m_size.height());
+    return place.topLeft() + QPointF((pixel.x() + 0.5) * place.width() / m_size.width(),
+                                     (pixel.y() + 0.5) * place.height() / m_size.height());
 }
 
 Eigen::Vector2d MarkerCanvas::toPixel(const QPointF &place) const
@@ -159,7 +163,8 @@ void MarkerCanvas::paintFloor(QPainter &painter) const
     for (const double y : floorGridLines(lower.y(), upper.y()))
         line({lower.x(), y}, {upper.x(), y}, QPen(gridColour, 1));
     const double reach = 0.35 * (upper - lower).maxCoeff();
-    for (const auto &[axis, name] : {std::pair(Eigen::Vector2d(reach, 0), QStringLiteral("X")), std::pair(Eigen::Vector2d(0, reach), QStringLiteral("Y"))}) {
+    for (const auto &[axis, name] : {std::pair(Eigen::Vector2d(reach, 0), QStringLiteral("X")),
+                                     std::pair(Eigen::Vector2d(0, reach), QStringLiteral("Y"))}) {
         line({0, 0}, axis, QPen(QColor(0, 0, 0, 150), 5));
         line({0, 0}, axis, QPen(axisColour, 2.5));
         if (const auto end = m_view->pixelFromWorld({axis.x(), axis.y(), 0}))
@@ -169,7 +174,8 @@ void MarkerCanvas::paintFloor(QPainter &painter) const
 
 void MarkerCanvas::paintMarkers(QPainter &painter) const
 {
-    for (const auto &[colour, width] : {std::pair(QColor(0, 0, 0, 150), 5.0), std::pair(QColor(Qt::white), 2.0)}) {
+    for (const auto &[colour, width] :
+         {std::pair(QColor(0, 0, 0, 150), 5.0), std::pair(QColor(Qt::white), 2.0)}) {
         painter.setPen(QPen(colour, width));
         if (m_joined && m_markers.size() >= 2)
             painter.drawLine(fromPixel(m_markers[0].pixel), fromPixel(m_markers[1].pixel));
@@ -178,7 +184,8 @@ void MarkerCanvas::paintMarkers(QPainter &painter) const
         const QString label = QString::fromStdString(marker.label);
         const QPointF at = fromPixel(marker.pixel);
         const bool isCurrent = label == m_current;
-        for (const auto &[colour, width] : {std::pair(QColor(0, 0, 0, 180), 4.0), std::pair(isCurrent ? currentColour : markerColour, 1.8)}) {
+        for (const auto &[colour, width] : {std::pair(QColor(0, 0, 0, 180), 4.0),
+                                            std::pair(isCurrent ? currentColour : markerColour, 1.8)}) {
             painter.setPen(QPen(colour, width));
             painter.setBrush(Qt::NoBrush);
             painter.drawEllipse(at, 9, 9);
@@ -259,7 +266,9 @@ void MarkerCanvas::mouseReleaseEvent(QMouseEvent *event)
 void MarkerCanvas::keyPressEvent(QKeyEvent *event)
 {
     const auto modifiers = event->modifiers();
-    const double step = modifiers & Qt::ControlModifier ? leapPx : modifiers & Qt::ShiftModifier ? largeKeyStepPx : keyStepPx;
+    const double step = modifiers & Qt::ControlModifier ? leapPx
+                        : modifiers & Qt::ShiftModifier ? largeKeyStepPx
+                                                        : keyStepPx;
     Eigen::Vector2d move(0, 0);
     switch (event->key()) {
     case Qt::Key_Left:
@@ -295,6 +304,36 @@ void MarkerCanvas::focusOutEvent(QFocusEvent *event)
     m_movedByKeys = false;
     QWidget::focusOutEvent(event);
     update();
+}
+
+namespace {
+
+class SnappedMarkerWords
+{
+    Q_DECLARE_TR_FUNCTIONS(SnappedMarker)
+};
+
+} // namespace
+
+QString snappedWords(SnappedMarker::Kind kind)
+{
+    switch (kind) {
+    case SnappedMarker::Kind::Tag:
+        return SnappedMarkerWords::tr("tag");
+    case SnappedMarker::Kind::Ring:
+        return SnappedMarkerWords::tr("ring");
+    case SnappedMarker::Kind::Dot:
+        return SnappedMarkerWords::tr("dot");
+    case SnappedMarker::Kind::TapeCrossing:
+        return SnappedMarkerWords::tr("tape crossing");
+    case SnappedMarker::Kind::TapeCorner:
+        return SnappedMarkerWords::tr("corner");
+    case SnappedMarker::Kind::Saddle:
+        return SnappedMarkerWords::tr("crossing fields");
+    case SnappedMarker::Kind::None:
+        break;
+    }
+    return SnappedMarkerWords::tr("by hand");
 }
 
 } // namespace odo

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/calibration/marker_detection.h"
 #include "core/calibration/marker_layout.h"
 #include "core/geometry/floor_view.h"
 
 #include <QImage>
+#include <QString>
 #include <QWidget>
 #include <optional>
 #include <vector>
 
 namespace odo {
 
-/// A picture of the floor on which markers are put and dragged, with a magnifier while one is moved. A click puts the
-/// current marker there; the arrow keys move it by a tenth of a pixel, with Shift by a whole one, with Ctrl by twenty;
-/// Space asks to snap it to what lies near.
+/// A picture of the floor on which markers are put and dragged, with a magnifier while one is moved. A click
+/// puts the current marker there; the arrow keys move it by a tenth of a pixel, with Shift by a whole one,
+/// with Ctrl by twenty; Space asks to snap it to what lies near.
 class MarkerCanvas : public QWidget
 {
     Q_OBJECT
@@ -34,7 +36,8 @@ public:
     QPointF fromPixel(const Eigen::Vector2d &pixel) const;
 
 Q_SIGNALS:
-    /// A marker was put somewhere; snap: by the mouse or by Space, so that what lies near may have been meant.
+    /// A marker was put somewhere; snap: by the mouse or by Space, so that what lies near may have been
+    /// meant.
     void placed(const QString &label, const Eigen::Vector2d &pixel, bool snap);
     void picked(const QString &label); ///< a marker that was there was taken hold of
 
@@ -63,5 +66,8 @@ private:
     MarkerLayout m_layout;
     bool m_dragging = false, m_movedByKeys = false, m_joined = false;
 };
+
+/// What a click was taken for, in a word or two: "tape crossing"; "by hand" where nothing was near.
+QString snappedWords(SnappedMarker::Kind kind);
 
 } // namespace odo

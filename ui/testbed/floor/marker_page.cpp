@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/floor/marker_page.h"
-#include "ui/models/core_words.h"
-#include "ui/testbed/floor/registration_verdict.h"
 
 #include "core/base/units.h"
 #include "core/calibration/lens_influence.h"
+#include "ui/models/core_words.h"
 #include "ui/testbed/floor/marker_canvas.h"
-#include "ui/testbed/floor/snap_words.h"
-#include "ui/views/action_button.h"
-#include "ui/views/card.h"
-#include "ui/views/table_list.h"
-#include "ui/views/theme.h"
+#include "ui/views/widgets/card.h"
+#include "ui/views/widgets/command_keys.h"
+#include "ui/views/widgets/labels.h"
+#include "ui/views/widgets/table_list.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QAction>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 #include <QTableWidget>
@@ -22,6 +22,7 @@
 #include <algorithm>
 
 namespace odo {
+
 namespace {
 
 constexpr int sideWidth = 380;
@@ -54,7 +55,8 @@ MarkerPage::MarkerPage(QWidget *parent)
     });
     connect(m_table, &QTableWidget::currentCellChanged, this, [this] {
         m_canvas->setCurrent(currentLabel());
-        m_remove->setEnabled(std::ranges::find(m_pixels, currentLabel().toStdString(), &MarkerPixel::label) != m_pixels.end());
+        m_remove->setEnabled(std::ranges::find(m_pixels, currentLabel().toStdString(), &MarkerPixel::label) !=
+                             m_pixels.end());
     });
 }
 
@@ -108,7 +110,8 @@ void MarkerPage::showNotSaved(const Error &error)
     m_verdict->tellNotSaved(error);
 }
 
-void MarkerPage::begin(std::shared_ptr<const StillPicture> picture, const MarkerLayout &layout, const std::optional<Intrinsics> &lens)
+void MarkerPage::begin(std::shared_ptr<const StillPicture> picture, const MarkerLayout &layout,
+                       const std::optional<Intrinsics> &lens)
 {
     m_picture = std::move(picture);
     m_layout = layout;
@@ -131,12 +134,16 @@ QString MarkerPage::currentLabel() const
     return item ? item->text() : QString();
 }
 
-void MarkerPage::remember() { m_before.push_back(m_pixels); }
+void MarkerPage::remember()
+{
+    m_before.push_back(m_pixels);
+}
 
 void MarkerPage::place(const QString &label, const Eigen::Vector2d &pixel, bool snap)
 {
     remember();
-    const SnappedMarker seen = snap ? snapToMarker(m_picture->frame, pixel) : SnappedMarker{SnappedMarker::Kind::None, pixel, 0};
+    const SnappedMarker seen =
+        snap ? snapToMarker(m_picture->frame, pixel) : SnappedMarker{SnappedMarker::Kind::None, pixel, 0};
     const std::string name = label.toStdString();
     std::erase_if(m_pixels, [&](const MarkerPixel &marker) { return marker.label == name; });
     std::erase_if(m_kinds, [&](const auto &kind) { return kind.first == name; });
@@ -175,7 +182,8 @@ void MarkerPage::evaluate()
     m_registration.reset();
     std::optional<FloorView> view;
     if (m_picture) {
-        const CameraModel camera = cameraOf(m_lens, m_picture->frame.format.width, m_picture->frame.format.height);
+        const CameraModel camera =
+            cameraOf(m_lens, m_picture->frame.format.width, m_picture->frame.format.height);
         const auto registered = registerFloor(m_layout, m_pixels, camera, m_lens.has_value());
         if (registered) {
             m_registration = *registered;
@@ -207,17 +215,22 @@ void MarkerPage::showTable()
     for (int i = 0; i < m_table->rowCount(); ++i) {
         const Marker &marker = m_layout.markers[std::size_t(i)];
         const bool seen = std::ranges::find(m_pixels, marker.label, &MarkerPixel::label) != m_pixels.end();
-        const auto kind = std::ranges::find(m_kinds, marker.label, [](const auto &each) { return each.first; });
+        const auto kind =
+            std::ranges::find(m_kinds, marker.label, [](const auto &each) { return each.first; });
         QString error;
         if (m_registration) {
             const auto found = std::ranges::find(m_registration->markers, marker.label, &MarkerError::label);
             if (found != m_registration->markers.end())
                 error = tr("%1 mm").arg(locale.toString(toMillimetres(found->errorM), 'f', 1));
         }
-        const QString texts[] = {QString::fromStdString(marker.label),
-                                 tr("%1, %2").arg(locale.toString(toMillimetres(marker.pointInWorld.x()), 'f', 0),
-                                                  locale.toString(toMillimetres(marker.pointInWorld.y()), 'f', 0)),
-                                 !seen ? tr("not seen") : kind == m_kinds.end() ? tr("found") : kind->second, error};
+        const QString texts[] = {
+            QString::fromStdString(marker.label),
+            tr("%1, %2").arg(locale.toString(toMillimetres(marker.pointInWorld.x()), 'f', 0),
+                             locale.toString(toMillimetres(marker.pointInWorld.y()), 'f', 0)),
+            !seen                   ? tr("not seen")
+            : kind == m_kinds.end() ? tr("found")
+                                    : kind->second,
+            error};
         for (int column = 0; column < MarkerColumn::Count; ++column)
             m_table->setItem(i, column, new QTableWidgetItem(texts[column]));
     }
@@ -226,7 +239,43 @@ void MarkerPage::showTable()
     if (row >= 0 && row < m_table->rowCount())
         m_table->selectRow(row);
     m_canvas->setCurrent(currentLabel());
-    m_remove->setEnabled(std::ranges::find(m_pixels, currentLabel().toStdString(), &MarkerPixel::label) != m_pixels.end());
+    m_remove->setEnabled(std::ranges::find(m_pixels, currentLabel().toStdString(), &MarkerPixel::label) !=
+                         m_pixels.end());
+}
+
+RegistrationVerdict::RegistrationVerdict(QWidget *parent)
+    : Card(tr("Where the camera stands"), parent), m_verdict(new QLabel), m_advice(new QLabel)
+{
+    showAsVerdict(*m_verdict, *m_advice);
+    m_verdict->setAccessibleName(tr("Verdict"));
+    auto *said = new QWidget;
+    auto *layout = new QVBoxLayout(said);
+    layout->setContentsMargins(12, 10, 12, 10);
+    layout->addWidget(m_verdict);
+    layout->addWidget(m_advice);
+    layout->addStretch(1);
+    setContent(said);
+}
+
+void RegistrationVerdict::tell(const FloorRegistration &registration)
+{
+    const Eigen::Vector3d &at = registration.worldFromCamera.translation;
+    const QLocale locale;
+    tell(shownWords(registration.verdict),
+         tr("It stands at x %1 m, y %2 m, %3 m above the floor.")
+             .arg(locale.toString(at.x(), 'f', 2), locale.toString(at.y(), 'f', 2),
+                  locale.toString(at.z(), 'f', 2)));
+}
+
+void RegistrationVerdict::tell(const QString &verdict, const QString &advice)
+{
+    m_verdict->setText(verdict);
+    m_advice->setText(advice);
+}
+
+void RegistrationVerdict::tellNotSaved(const Error &error)
+{
+    m_advice->setText(tr("The registration was not stored. %1").arg(errorLine(error)));
 }
 
 } // namespace odo

@@ -3,11 +3,13 @@
 
 #include "core/calibration/floor_registration.h"
 #include "ui/testbed/floor/still_picture.h"
+#include "ui/views/widgets/card.h"
 
 #include <QWidget>
 #include <vector>
 
 class QAction;
+class QLabel;
 class QTableWidget;
 
 namespace odo {
@@ -15,8 +17,8 @@ namespace odo {
 class MarkerCanvas;
 class RegistrationVerdict;
 
-/// Second page of the floor wizard: the markers in the picture, found or put by hand, and at once where the camera
-/// stands, how well each marker fits, and what is wrong.
+/// Second page of the floor wizard: the markers in the picture, found or put by hand, and at once where the
+/// camera stands, how well each marker fits, and what is wrong.
 class MarkerPage : public QWidget
 {
     Q_OBJECT
@@ -25,7 +27,8 @@ public:
 
     /// While the picture is being got.
     void wait(const QString &words);
-    void begin(std::shared_ptr<const StillPicture> picture, const MarkerLayout &layout, const std::optional<Intrinsics> &lens);
+    void begin(std::shared_ptr<const StillPicture> picture, const MarkerLayout &layout,
+               const std::optional<Intrinsics> &lens);
     void showFailure(const Error &error);
     /// What was found stands: it can be tried again.
     void showNotSaved(const Error &error);
@@ -53,12 +56,28 @@ private:
     std::optional<Intrinsics> m_lens;
     std::vector<MarkerPixel> m_pixels;
     std::vector<std::pair<std::string, QString>> m_kinds; ///< label and what it was taken for
-    std::vector<std::vector<MarkerPixel>> m_before; ///< for undo
+    std::vector<std::vector<MarkerPixel>> m_before;       ///< for undo
     std::optional<FloorRegistration> m_registration;
     MarkerCanvas *m_canvas;
     QTableWidget *m_table;
     RegistrationVerdict *m_verdict;
     QAction *m_remove, *m_undo;
+};
+
+/// Says where a camera stands by the registration in the making, or why that is not known and what to do. GUI
+/// thread.
+class RegistrationVerdict : public Card
+{
+    Q_OBJECT
+public:
+    explicit RegistrationVerdict(QWidget *parent = nullptr);
+    void tell(const FloorRegistration &registration);
+    void tell(const QString &verdict, const QString &advice);
+    /// It could not be stored; the verdict stays.
+    void tellNotSaved(const Error &error);
+
+private:
+    QLabel *m_verdict, *m_advice;
 };
 
 } // namespace odo

@@ -1,22 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/floor/still_picture.h"
 
-#include "core/capture/settled_picture.h"
+#include "core/capture/camera_source.h"
 #include "core/video/picture.h"
-#include "core/workflow/picture_source.h"
-#include "ui/views/path_field.h"
-#include "ui/views/screen_image.h"
+#include "core/workflow/calibrate/calibration_pictures.h"
+#include "ui/views/picture/picture_painting.h"
+#include "ui/views/widgets/form_fields.h"
+#include "ui/views/widgets/path_field.h"
+
+#include <QHBoxLayout>
+#include <QRadioButton>
+#include <QVBoxLayout>
 
 namespace odo {
+
 namespace {
 
 constexpr int videoStep = 15, mostPictures = 8;
 
-Result<void> lookIn(const Frame &frame, const MarkerLayout &layout, const std::optional<Intrinsics> &lens, StillPicture &best)
+Result<void> lookIn(const Frame &frame, const MarkerLayout &layout, const std::optional<Intrinsics> &lens,
+                    StillPicture &best)
 {
     if (lens && (lens->widthPx != frame.format.width || lens->heightPx != frame.format.height))
         return fail(ErrorCode::InvalidInput, "the picture",
-                    "it is " + std::to_string(frame.format.width) + "×" + std::to_string(frame.format.height) + ", but the lens was measured at " +
+                    "it is " + std::to_string(frame.format.width) + "×" +
+                        std::to_string(frame.format.height) + ", but the lens was measured at " +
                         std::to_string(lens->widthPx) + "×" + std::to_string(lens->heightPx),
                     "take it at that resolution, or measure the lens again");
     if (layout.markers.empty()) {
@@ -36,8 +44,8 @@ Result<void> lookIn(const Frame &frame, const MarkerLayout &layout, const std::o
     return {};
 }
 
-Result<StillPicture> fromCamera(const std::string &uri, const MarkerLayout &layout, const std::optional<Intrinsics> &lens,
-                                const JobControl &control)
+Result<StillPicture> fromCamera(const std::string &uri, const MarkerLayout &layout,
+                                const std::optional<Intrinsics> &lens, const JobControl &control)
 {
     auto camera = openCamera(uri);
     if (!camera)
@@ -61,8 +69,8 @@ CameraModel cameraOf(const std::optional<Intrinsics> &lens, int widthPx, int hei
     return CameraModel::assumed(widthPx, heightPx);
 }
 
-Result<StillPicture> takeStillPicture(const PictureOrigin &origin, const MarkerLayout &layout, const std::optional<Intrinsics> &lens,
-                                      const JobControl &control)
+Result<StillPicture> takeStillPicture(const PictureOrigin &origin, const MarkerLayout &layout,
+                                      const std::optional<Intrinsics> &lens, const JobControl &control)
 {
     Result<StillPicture> picture = StillPicture();
     if (!origin.liveUri.isEmpty()) {
@@ -70,11 +78,15 @@ Result<StillPicture> takeStillPicture(const PictureOrigin &origin, const MarkerL
     } else {
         int looked = 0;
         Result<void> problem;
-        const auto visited = visitPictures(pathOf(origin.file), videoStep, [&](const Frame &frame, const std::string &name) {
-            control.report(double(looked) / mostPictures, "looking for the markers in " + name);
-            problem = lookIn(frame, layout, lens, *picture);
-            return problem && picture->markers.size() < layout.markers.size() && ++looked < mostPictures && !control.isCancelled();
-        }, control.cancel);
+        const auto visited = visitPictures(
+            pathOf(origin.file), videoStep,
+            [&](const Frame &frame, const std::string &name) {
+                control.report(double(looked) / mostPictures, "looking for the markers in " + name);
+                problem = lookIn(frame, layout, lens, *picture);
+                return problem && picture->markers.size() < layout.markers.size() &&
+                       ++looked < mostPictures && !control.isCancelled();
+            },
+            control.cancel);
         if (!problem)
             return tl::unexpected(problem.error());
         if (!visited && picture->frame.format.width == 0)
@@ -83,8 +95,89 @@ Result<StillPicture> takeStillPicture(const PictureOrigin &origin, const MarkerL
     if (control.isCancelled())
         return cancelled("the picture");
     if (picture)
-        picture->image = toImage(toScreen(picture->frame, picture->frame.format.width, picture->frame.format.height));
+        picture->image =
+            toImage(toScreen(picture->frame, picture->frame.format.width, picture->frame.format.height));
     return picture;
+}
+
+namespace {
+
+constexpr int indent = 24;
+
+QHBoxLayout *indented(QWidget *widget, bool stretched)
+{
+    auto *row = new QHBoxLayout;
+    row->setContentsMargins(indent, 0, 0, 0);
+    row->addWidget(widget, stretched ? 1 : 0);
+    if (!stretched)
+        row->addStretch(1);
+    return row;
+}
+
+} // namespace
+
+PictureChoice::PictureChoice(const LiveCameras &live, const QString &fileName, QWidget *parent)
+    : QWidget(parent), m_fromRecording(new QRadioButton(tr("In the camera's &newest recording"))),
+      m_fromLive(new QRadioButton(tr("In what a &connected camera sees now"))),
+      m_fromFile(new QRadioButton(tr("In a &picture or video"))), m_live(new LiveCameraBox(live)),
+      m_file(new PathField(
+          fileName, tr("Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov "
+                       "*.webm);;All files (*)")))
+{
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_fromRecording);
+    layout->addWidget(m_fromLive);
+    layout->addLayout(indented(m_live, false));
+    layout->addWidget(m_fromFile);
+    layout->addLayout(indented(m_file, true));
+    setFocusProxy(m_fromRecording);
+    m_fromFile->setChecked(true);
+    for (QRadioButton *choice : {m_fromRecording, m_fromLive, m_fromFile})
+        connect(choice, &QRadioButton::toggled, this, &PictureChoice::updateChoices);
+    connect(m_live, &QComboBox::currentIndexChanged, this, &PictureChoice::updateChoices);
+    connect(m_file, &PathField::changed, this, &PictureChoice::changed);
+    updateChoices();
+}
+
+void PictureChoice::setRecording(const std::optional<std::filesystem::path> &file)
+{
+    m_recording = file;
+    if (m_recording && m_fromFile->isChecked() && m_file->path().empty())
+        m_fromRecording->setChecked(true);
+    updateChoices();
+}
+
+void PictureChoice::updateChoices()
+{
+    m_fromRecording->setEnabled(m_recording.has_value());
+    m_fromLive->setEnabled(!m_live->uri().isEmpty() || m_fromLive->isChecked());
+    if (!m_recording && m_fromRecording->isChecked())
+        m_fromFile->setChecked(true);
+    m_live->setEnabled(m_fromLive->isChecked());
+    m_file->setEnabled(m_fromFile->isChecked());
+    Q_EMIT changed();
+}
+
+PictureOrigin PictureChoice::origin() const
+{
+    if (m_fromLive->isChecked())
+        return {{}, m_live->uri()};
+    if (m_fromFile->isChecked())
+        return {textOf(m_file->path()), {}};
+    return {m_recording ? textOf(*m_recording) : QString(), {}};
+}
+
+void PictureChoice::setFile(const QString &file)
+{
+    m_fromFile->setChecked(true);
+    m_file->setPath(file);
+}
+
+bool PictureChoice::isComplete() const
+{
+    const PictureOrigin from = origin();
+    return !from.file.isEmpty() || !from.liveUri.isEmpty();
 }
 
 } // namespace odo

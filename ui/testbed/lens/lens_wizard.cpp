@@ -1,21 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/lens/lens_wizard.h"
 
-#include "ui/testbed/lens/lens_pictures_page.h"
-#include "ui/testbed/lens/lens_result_page.h"
-#include "ui/testbed/lens/lens_source_page.h"
+#include "core/base/units.h"
+#include "ui/testbed/lens/internal/lens_pictures_page.h"
+#include "ui/testbed/lens/internal/lens_result_page.h"
+#include "ui/testbed/targets/target_dialog.h"
+#include "ui/views/widgets/command_keys.h"
+#include "ui/views/widgets/form_fields.h"
+#include "ui/views/widgets/path_field.h"
+
+#include <QComboBox>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QMimeData>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QVBoxLayout>
 
 namespace odo {
+
 namespace {
 
 constexpr int fewestPictures = 3;
 
 } // namespace
 
-LensWizard::LensWizard(const QStringList &cameras, const QString &current, const LiveCameras &live, Callbacks callbacks,
-                       QWidget *parent)
-    : StepDialog(tr("Calibrate camera"), tr("&Save"), parent), m_callbacks(std::move(callbacks)), m_source(new LensSourcePage(cameras, current, live)),
-      m_pictures(new LensPicturesPage(m_search)), m_result(new LensResultPage)
+LensWizard::LensWizard(const QStringList &cameras, const QString &current, const LiveCameras &live,
+                       Callbacks callbacks, QWidget *parent)
+    : StepDialog(tr("Calibrate camera"), tr("&Save"), parent), m_callbacks(std::move(callbacks)),
+      m_source(new LensSourcePage(cameras, current, live)), m_pictures(new LensPicturesPage(m_search)),
+      m_result(new LensResultPage)
 {
     addStep(tr("The camera and the board"), m_source);
     addStep(tr("Pictures of the board"), m_pictures);
@@ -75,7 +93,9 @@ void LensWizard::next()
 void LensWizard::save()
 {
     m_result->showSaving();
-    saveAndAccept([lens = result(), keep = m_callbacks.keepPictures](const JobControl &control) { return keep(lens, control); });
+    saveAndAccept([lens = result(), keep = m_callbacks.keepPictures](const JobControl &control) {
+        return keep(lens, control);
+    });
 }
 
 void LensWizard::back()
@@ -89,7 +109,10 @@ void LensWizard::back()
     turnTo(Source);
 }
 
-void LensWizard::showNotSaved(const Error &error) { m_result->showNotSaved(error); }
+void LensWizard::showNotSaved(const Error &error)
+{
+    m_result->showNotSaved(error);
+}
 
 void LensWizard::done(int result)
 {
@@ -110,6 +133,163 @@ MeasuredLens LensWizard::result() const
         lens.pictures.push_back({view.source, picture.png});
     }
     return lens;
+}
+
+namespace {
+
+constexpr double usualSquareMm = 25;
+constexpr int indent = 24;
+
+} // namespace
+
+LensSourcePage::LensSourcePage(const QStringList &cameras, const QString &current, const LiveCameras &live,
+                               QWidget *parent)
+    : QWidget(parent), m_camera(new QComboBox), m_live(new LiveCameraBox(live)), m_square(new NumberBox),
+      m_fromLive(
+          new QRadioButton(tr("Be&fore the camera: hold the board, pictures are taken by themselves"))),
+      m_fromFiles(new QRadioButton(tr("From &pictures or a video that you have taken"))),
+      m_files(new QListWidget), m_fileBox(makeFiles())
+{
+    setAcceptDrops(true);
+    m_camera->setEditable(true);
+    m_camera->addItems(cameras);
+    m_camera->setCurrentText(current);
+    m_square->setRange(1, 1000);
+    m_square->setDecimals(2);
+    m_square->setSuffix(tr(" mm"));
+    m_square->setValue(usualSquareMm);
+    auto *print = plainButton(tr("Prin&t a board…"));
+    connect(print, &QPushButton::clicked, this,
+            [this] { TargetDialog(TargetKind::Checkerboard, {}, this).exec(); });
+    auto *square = new QHBoxLayout;
+    square->addWidget(m_square);
+    square->addWidget(print);
+    square->addStretch(1);
+    auto *intro = new QLabel(
+        tr("A flat board of squares, seen from many sides, tells how the lens draws. Checkerboard or "
+           "ChArUco, of "
+           "any size: which it is, is found out. Measure one square on the paper; it decides every later "
+           "length. The lens must not be refocused or zoomed afterwards."));
+    intro->setWordWrap(true);
+    auto *form = new QFormLayout;
+    form->addRow(tr("&Camera"), m_camera);
+    auto *squareLabel = new QLabel(tr("Side of a &square, measured"));
+    squareLabel->setBuddy(m_square);
+    form->addRow(squareLabel, square);
+    auto *where = new QLabel(tr("Where the pictures of the board come from"));
+    where->setStyleSheet(QStringLiteral("font-weight: 600"));
+    auto *liveRow = new QHBoxLayout;
+    liveRow->setContentsMargins(indent, 0, 0, 0);
+    liveRow->addWidget(m_live);
+    liveRow->addStretch(1);
+    auto *layout = new QVBoxLayout(this);
+    layout->addWidget(intro);
+    layout->addSpacing(8);
+    layout->addLayout(form);
+    layout->addSpacing(12);
+    layout->addWidget(where);
+    layout->addWidget(m_fromLive);
+    layout->addLayout(liveRow);
+    layout->addWidget(m_fromFiles);
+    layout->addWidget(m_fileBox, 1);
+    m_fromFiles->setChecked(true);
+    for (QRadioButton *choice : {m_fromLive, m_fromFiles})
+        connect(choice, &QRadioButton::toggled, this, &LensSourcePage::updateChoices);
+    connect(m_live, &QComboBox::currentIndexChanged, this, &LensSourcePage::updateChoices);
+    connect(m_camera, &QComboBox::editTextChanged, this, &LensSourcePage::completeChanged);
+    updateChoices();
+}
+
+QWidget *LensSourcePage::makeFiles()
+{
+    m_files->setAccessibleName(tr("Pictures and videos of the board"));
+    m_files->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_files->setTextElideMode(Qt::ElideMiddle);
+    auto *add = plainButton(tr("&Add…")), *remove = plainButton(tr("&Remove"));
+    connect(add, &QPushButton::clicked, this, [this] {
+        addFiles(QFileDialog::getOpenFileNames(
+            this, tr("Pictures and videos of the board"), {},
+            tr("Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 "
+               "*.mkv *.avi *.mov *.webm);;All files (*)")));
+    });
+    connect(remove, &QPushButton::clicked, this, [this] {
+        qDeleteAll(m_files->selectedItems());
+        Q_EMIT completeChanged();
+    });
+    auto *hint = new QLabel(tr("Files can also be dropped here."));
+    hint->setObjectName(QStringLiteral("quiet"));
+    auto *buttons = new QVBoxLayout;
+    buttons->addWidget(add);
+    buttons->addWidget(remove);
+    buttons->addStretch(1);
+    auto *row = new QHBoxLayout;
+    row->addWidget(m_files, 1);
+    row->addLayout(buttons);
+    auto *box = new QWidget;
+    auto *layout = new QVBoxLayout(box);
+    layout->setContentsMargins(indent, 0, 0, 0);
+    layout->addLayout(row, 1);
+    layout->addWidget(hint);
+    return box;
+}
+
+void LensSourcePage::updateChoices()
+{
+    m_fromLive->setEnabled(!m_live->uri().isEmpty() || m_fromLive->isChecked());
+    m_live->setEnabled(m_fromLive->isChecked());
+    m_fileBox->setEnabled(m_fromFiles->isChecked());
+    Q_EMIT completeChanged();
+}
+
+QString LensSourcePage::camera() const
+{
+    return m_camera->currentText().trimmed();
+}
+double LensSourcePage::squareM() const
+{
+    return fromMillimetres(m_square->value());
+}
+bool LensSourcePage::isLive() const
+{
+    return m_fromLive->isChecked();
+}
+QString LensSourcePage::liveUri() const
+{
+    return m_live->uri();
+}
+
+QStringList LensSourcePage::files() const
+{
+    QStringList files;
+    for (int i = 0; i < m_files->count(); ++i)
+        files << m_files->item(i)->text();
+    return files;
+}
+
+void LensSourcePage::addFiles(const QStringList &files)
+{
+    for (const QString &file : files)
+        if (m_files->findItems(file, Qt::MatchExactly).isEmpty())
+            m_files->addItem(file);
+    if (!files.isEmpty())
+        m_fromFiles->setChecked(true);
+    Q_EMIT completeChanged();
+}
+
+bool LensSourcePage::isComplete() const
+{
+    return !camera().isEmpty() && (isLive() ? !liveUri().isEmpty() : m_files->count() > 0);
+}
+
+void LensSourcePage::dragEnterEvent(QDragEnterEvent *event)
+{
+    if (!localFiles(*event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+void LensSourcePage::dropEvent(QDropEvent *event)
+{
+    addFiles(localFiles(*event->mimeData()));
 }
 
 } // namespace odo

@@ -2,12 +2,19 @@
 #pragma once
 
 #include "core/capture/camera_source.h"
-#include "core/workflow/calibration_media.h"
-#include "ui/testbed/lens/board_search.h"
-#include "ui/testbed/lens/lens_solver.h"
-#include "ui/views/step_dialog.h"
+#include "core/workflow/calibrate/calibration_pictures.h"
+#include "ui/testbed/lens/internal/board_search.h"
+#include "ui/testbed/lens/internal/lens_solver.h"
+#include "ui/views/widgets/step_dialog.h"
 
+#include <QStringList>
+#include <QWidget>
 #include <functional>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QListWidget;
+class QRadioButton;
 
 namespace odo {
 
@@ -25,8 +32,8 @@ struct MeasuredLens
     std::vector<BoardPicture> pictures; ///< of the calibration
 };
 
-/// Leads from a board to a camera's intrinsics: which board and camera, its pictures, the result. The project is up to
-/// whoever opened it, once it is accepted. Closing it at any page leaves nothing behind.
+/// Leads from a board to a camera's intrinsics: which board and camera, its pictures, the result. The project
+/// is up to whoever opened it, once it is accepted. Closing it at any page leaves nothing behind.
 class LensWizard : public StepDialog
 {
     Q_OBJECT
@@ -36,13 +43,14 @@ public:
     {
         /// Opens a connected camera, by address, so that a board before it is seen.
         std::function<Result<std::shared_ptr<CameraSource>>(const QString &uri)> open;
-        /// Writes to the disk what takes long; the wizard closes when it is done, and stays open when it fails.
+        /// Writes to the disk what takes long; the wizard closes when it is done, and stays open when it
+        /// fails.
         std::function<Result<void>(const MeasuredLens &, const JobControl &)> keepPictures;
     };
 
     /// live must outlive it.
-    LensWizard(const QStringList &cameras, const QString &current, const LiveCameras &live, Callbacks callbacks,
-               QWidget *parent = nullptr);
+    LensWizard(const QStringList &cameras, const QString &current, const LiveCameras &live,
+               Callbacks callbacks, QWidget *parent = nullptr);
     ~LensWizard() override;
 
     LensSourcePage &source() { return *m_source; }
@@ -68,6 +76,44 @@ private:
     LensSourcePage *m_source;
     LensPicturesPage *m_pictures;
     LensResultPage *m_result;
+};
+
+class LiveCameraBox;
+
+/// First page of the lens wizard: which camera, which board, and where its pictures come from.
+class LensSourcePage : public QWidget
+{
+    Q_OBJECT
+public:
+    /// live must outlive it.
+    LensSourcePage(const QStringList &cameras, const QString &current, const LiveCameras &live,
+                   QWidget *parent = nullptr);
+
+    QString camera() const;
+    double squareM() const;
+    bool isLive() const;
+    QString liveUri() const; ///< of the camera that is to be watched
+    QStringList files() const;
+    void addFiles(const QStringList &files);
+    bool isComplete() const;
+
+Q_SIGNALS:
+    void completeChanged();
+
+protected:
+    void dragEnterEvent(QDragEnterEvent *event) override;
+    void dropEvent(QDropEvent *event) override;
+
+private:
+    QWidget *makeFiles();
+    void updateChoices();
+
+    QComboBox *m_camera;
+    LiveCameraBox *m_live;
+    QDoubleSpinBox *m_square;
+    QRadioButton *m_fromLive, *m_fromFiles;
+    QListWidget *m_files;
+    QWidget *m_fileBox;
 };
 
 } // namespace odo

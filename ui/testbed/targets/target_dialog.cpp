@@ -3,12 +3,10 @@
 
 #include "core/base/units.h"
 #include "ui/models/core_words.h"
-#include "ui/testbed/targets/target_painter.h"
-#include "ui/testbed/targets/target_preview.h"
-#include "ui/views/number_box.h"
-#include "ui/views/output_question.h"
-#include "ui/views/path_field.h"
-#include "ui/views/theme.h"
+#include "ui/testbed/targets/target_sheet.h"
+#include "ui/views/widgets/form_fields.h"
+#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -17,13 +15,98 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPainter>
 #include <QPrintDialog>
 #include <QPrinter>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QVBoxLayout>
+#include <QWidget>
+#include <algorithm>
 
 namespace odo {
+
+/// The sheets as they will come out of the printer, side by side, as large as there is room. Paper stays
+/// white in the dark.
+class TargetPreview : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit TargetPreview(QWidget *parent = nullptr);
+    void setSheets(const TargetSpec &spec, std::vector<TargetSheet> sheets);
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    TargetSpec m_spec;
+    std::vector<TargetSheet> m_sheets;
+};
+
+namespace {
+
+constexpr int gapPx = 14, leastPx = 260;
+
+/// The number of columns with which so many sheets come out largest, and how large: pixels a millimetre.
+std::pair<int, double> bestGrid(int sheets, QSizeF paperMm, QSizeF roomPx)
+{
+    std::pair<int, double> best{1, 0};
+    for (int columns = 1; columns <= sheets; ++columns) {
+        const int rows = (sheets + columns - 1) / columns;
+        const double scale = std::min((roomPx.width() - (columns + 1) * gapPx) / (columns * paperMm.width()),
+                                      (roomPx.height() - (rows + 1) * gapPx) / (rows * paperMm.height()));
+        if (scale > best.second)
+            best = {columns, scale};
+    }
+    return best;
+}
+
+} // namespace
+
+TargetPreview::TargetPreview(QWidget *parent) : QWidget(parent)
+{
+    setAccessibleName(tr("Preview of the sheets"));
+    setMinimumSize(leastPx, leastPx);
+}
+
+void TargetPreview::setSheets(const TargetSpec &spec, std::vector<TargetSheet> sheets)
+{
+    m_spec = spec;
+    m_sheets = std::move(sheets);
+    update();
+}
+
+void TargetPreview::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    const ThemeColours colours = ThemeColours::of(palette());
+    painter.fillRect(rect(), colours.mapGround);
+    if (m_sheets.empty())
+        return;
+    const int count = int(m_sheets.size());
+    const QSizeF paper = m_sheets.front().paperMm;
+    const auto [columns, scale] = bestGrid(count, paper, size());
+    if (scale <= 0)
+        return;
+    const int rows = (count + columns - 1) / columns;
+    const QSizeF sheetPx = paper * scale;
+    const QPointF start(0.5 * (width() - columns * sheetPx.width() - (columns - 1) * gapPx),
+                        0.5 * (height() - rows * sheetPx.height() - (rows - 1) * gapPx));
+    for (int i = 0; i < count; ++i) {
+        const int row = i / columns;
+        const QPointF corner =
+            start + QPointF((i % columns) * (sheetPx.width() + gapPx), row * (sheetPx.height() + gapPx));
+        painter.save();
+        painter.translate(corner);
+        painter.setPen(colours.border);
+        painter.setBrush(Qt::white);
+        painter.drawRect(QRectF(QPointF(0, 0), sheetPx));
+        painter.scale(scale, scale);
+        paintTarget(painter, m_spec, m_sheets[std::size_t(i)]);
+        painter.restore();
+    }
+}
+
 namespace {
 
 constexpr int formWidth = 300;
@@ -52,9 +135,10 @@ QSpinBox *countBox(int count, const QString &name)
 
 TargetDialog::TargetDialog(TargetKind kind, const QStringList &labels, QWidget *parent)
     : QDialog(parent), m_kind(new QComboBox), m_paper(new QComboBox),
-      m_columns(countBox(9, tr("Inner corners along the board"))), m_rows(countBox(6, tr("Inner corners across the board"))),
-      m_square(lengthBox(25)), m_marker(lengthBox(150)), m_labels(new QLineEdit), m_form(new QFormLayout),
-      m_corners(new QWidget), m_preview(new TargetPreview), m_message(new QLabel),
+      m_columns(countBox(9, tr("Inner corners along the board"))),
+      m_rows(countBox(6, tr("Inner corners across the board"))), m_square(lengthBox(25)),
+      m_marker(lengthBox(150)), m_labels(new QLineEdit), m_form(new QFormLayout), m_corners(new QWidget),
+      m_preview(new TargetPreview), m_message(new QLabel),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Close))
 {
     setWindowTitle(tr("Print targets"));
@@ -147,7 +231,8 @@ void TargetDialog::refresh()
 {
     const TargetSpec wanted = spec();
     const bool board = isBoard(wanted.kind);
-    const std::pair<QWidget *, bool> rows[] = {{m_corners, board}, {m_square, board}, {m_marker, !board}, {m_labels, !board}};
+    const std::pair<QWidget *, bool> rows[] = {
+        {m_corners, board}, {m_square, board}, {m_marker, !board}, {m_labels, !board}};
     for (const auto &[field, shown] : rows) {
         field->setVisible(shown);
         m_form->labelForField(field)->setVisible(shown);
@@ -157,8 +242,11 @@ void TargetDialog::refresh()
         if (m_buttons->buttonRole(button) == QDialogButtonBox::ActionRole)
             button->setEnabled(sheets.has_value());
     if (sheets)
-        tell({}, board ? tr("One sheet. Afterwards measure a square on the paper: printers often shrink by 2 to 4 %.")
-                       : tr("One sheet for each marker. A tag's number is the place of its label in the layout."));
+        tell({},
+             board
+                 ? tr("One sheet. Afterwards measure a square on the paper: printers often shrink by 2 to 4 "
+                      "%.")
+                 : tr("One sheet for each marker. A tag's number is the place of its label in the layout."));
     else
         tell(tl::unexpected(sheets.error()), {});
     m_preview->setSheets(wanted, sheets ? std::move(*sheets) : std::vector<TargetSheet>());
@@ -166,7 +254,8 @@ void TargetDialog::refresh()
 
 void TargetDialog::askPdf()
 {
-    if (const auto chosen = askOutput(this, tr("Save targets"), tr("targets.pdf"), {{tr("PDF (*.pdf)"), QStringLiteral("pdf"), FileKind::Pdf}}))
+    if (const auto chosen = askOutput(this, tr("Save targets"), tr("targets.pdf"),
+                                      {{tr("PDF (*.pdf)"), QStringLiteral("pdf"), FileKind::Pdf}}))
         savePdf(*chosen);
 }
 
@@ -184,7 +273,8 @@ void TargetDialog::print()
     QPrintDialog dialog(&printer, this);
     if (!sheets || dialog.exec() != QDialog::Accepted)
         return;
-    if (const QString file = printer.outputFileName(); !file.isEmpty()) // not by Qt, which would write over anything; it has asked
+    // not by Qt, which would write over anything; it has asked
+    if (const QString file = printer.outputFileName(); !file.isEmpty())
         savePdf({{pathOf(file), Existing::ReplaceAny}, file});
     else
         tell(printTarget(printer, spec(), *sheets), tr("Sent to the printer."));
@@ -196,8 +286,11 @@ void TargetDialog::tell(const Result<void> &outcome, const QString &success)
     QPalette words = palette();
     words.setColor(QPalette::WindowText, outcome ? colours.muted : colours.spike);
     m_message->setPalette(words);
-    m_message->setText(outcome ? success
-                               : tr("%1: %2.").arg(shownWords(outcome.error().why), shownWords(outcome.error().advice)));
+    m_message->setText(
+        outcome ? success
+                : tr("%1: %2.").arg(shownWords(outcome.error().why), shownWords(outcome.error().advice)));
 }
 
 } // namespace odo
+
+#include "target_dialog.moc"

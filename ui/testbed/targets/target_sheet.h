@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/files/output_file.h"
 
 #include <QPageSize>
 #include <QPainterPath>
@@ -10,6 +11,9 @@
 #include <QString>
 #include <QStringList>
 #include <vector>
+
+class QPagedPaintDevice;
+class QPainter;
 
 namespace odo {
 
@@ -32,20 +36,33 @@ struct TargetSpec
 /// One sheet of paper. Millimetres from its top left corner, y down.
 struct TargetSheet
 {
-    QSizeF paperMm; ///< turned as it is to be printed
+    QSizeF paperMm;  ///< turned as it is to be printed
     QRectF figureMm; ///< what the ink covers
     QPainterPath ink;
     QString label; ///< of a marker; empty for a board
     int tag = -1;  ///< number of a tag
 };
 
-/// Room that is left free at each edge of the paper, where printers cannot print, and beneath the figure for the
-/// ruler and the words.
+/// Room that is left free at each edge of the paper, where printers cannot print, and beneath the figure for
+/// the ruler and the words.
 inline constexpr double targetMarginMm = 8, targetFootMm = 18;
 
-/// A board's squares or a marker, in the middle of the paper, which is turned where it fits better. Refuses what is
-/// not drawn so (fewer than 3 inner corners, a ChArUco board of an even number of rows of squares, which programs
-/// number in two ways, more markers than there are numbers) and what does not fit, saying how large it may be.
+/// A board's squares or a marker, in the middle of the paper, which is turned where it fits better. Refuses
+/// what is not drawn so (fewer than 3 inner corners, a ChArUco board of an even number of rows of squares,
+/// which programs number in two ways, more markers than there are numbers) and what does not fit, saying how
+/// large it may be.
 Result<std::vector<TargetSheet>> layOutTarget(const TargetSpec &spec);
+
+/// Paints one sheet, black on whatever ground there is; the painter's unit must be the millimetre, its origin
+/// the sheet's top left corner. Beneath the figure: a ruler of 100 mm to check the print by, and what to do
+/// with it.
+void paintTarget(QPainter &painter, const TargetSpec &spec, const TargetSheet &sheet);
+
+/// Sets the paper and paints the sheets to scale, one a page. Error Io when the device takes no painting.
+Result<void> printTarget(QPagedPaintDevice &device, const TargetSpec &spec,
+                         const std::vector<TargetSheet> &sheets);
+
+/// Lays out and writes a PDF. Errors: those of layOutTarget and OutputFile.
+Result<void> writeTargetPdf(const TargetSpec &spec, const OutputTarget &target);
 
 } // namespace odo

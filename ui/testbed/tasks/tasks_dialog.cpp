@@ -2,15 +2,14 @@
 #include "ui/testbed/tasks/tasks_dialog.h"
 
 #include "core/project/project.h"
-#include "ui/models/error_words.h"
-#include "ui/models/score_text.h"
-#include "ui/testbed/tasks/task_canvas.h"
-#include "ui/testbed/tasks/task_drafts.h"
-#include "ui/testbed/tasks/task_editor.h"
-#include "ui/testbed/tasks/template_form.h"
-#include "ui/views/plain_button.h"
-#include "ui/views/table_list.h"
-#include "ui/views/undo_keys.h"
+#include "core/project/records.h"
+#include "core/project/repositories.h"
+#include "ui/models/core_words.h"
+#include "ui/models/results.h"
+#include "ui/testbed/tasks/internal/task_canvas.h"
+#include "ui/testbed/tasks/internal/task_editor.h"
+#include "ui/views/widgets/command_keys.h"
+#include "ui/views/widgets/table_list.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -24,8 +23,58 @@
 #include <QScreen>
 #include <QTableWidget>
 #include <algorithm>
+#include <optional>
+#include <vector>
 
 namespace odo {
+
+class Project;
+
+/// The marker layout of the cameras, for a task lies among their markers; else the first one that there is.
+/// Project's thread.
+std::optional<MarkerLayout> layoutForTasks(Project &project);
+
+/// What an editor of a task begins with. task: of the project, or a new one (id 0); all: those that there
+/// are. Project's thread.
+TaskDraft draftOfTask(Project &project, const TaskRecord &task, const std::vector<TaskRecord> &all);
+
+std::optional<MarkerLayout> layoutForTasks(Project &project)
+{
+    for (const CameraRecord &camera : project.cameras().all().value_or(std::vector<CameraRecord>())) {
+        const auto registration = project.cameras().currentRegistration(camera.id);
+        if (!registration || !*registration)
+            continue;
+        if (const auto layout = project.layouts().get((*registration)->layout))
+            return layout->layout;
+    }
+    const auto layouts = project.layouts().all();
+    return layouts && !layouts->empty() ? std::optional(layouts->front().layout) : std::nullopt;
+}
+
+TaskDraft draftOfTask(Project &project, const TaskRecord &task, const std::vector<TaskRecord> &all)
+{
+    TaskDraft draft;
+    draft.task = task;
+    for (const TaskRecord &each : all)
+        if (each.id != task.id)
+            draft.taken << QString::fromStdString(each.name);
+    const std::vector<std::string> usual{
+        "gate_time",      "best_lap",         "mean_lap",        "laps",
+        "gates_passed",   "cross_track_mean", "cross_track_rms", "cross_track_max",
+        "path_completed", "zone_breaches",    "zone_time",       "zone_depth",
+        "duration",       "max_speed",        "mean_speed",      "stops",
+        "standing_time",  "straightness",     "path_length",     "spikes",
+        "limit_breaches"};
+    draft.metrics = usual;
+    for (const std::string &name : project.analyses().metricNames().value_or(std::vector<std::string>()))
+        if (std::ranges::find(usual, name) == usual.end())
+            draft.metrics.push_back(name);
+    if (task.id != 0)
+        draft.scoring = project.tasks().scoring(task.id).value_or(std::vector<Criterion>());
+    draft.layout = layoutForTasks(project);
+    return draft;
+}
+
 namespace {
 
 struct TaskColumn
@@ -90,7 +139,8 @@ QWidget *TasksDialog::makeList()
         more->addWidget(button);
     more->addStretch(1);
     more->addWidget(m_showArchived);
-    m_archive->setToolTip(tr("An archived task is not offered any more; its trials, results and scores stay as they are"));
+    m_archive->setToolTip(
+        tr("An archived task is not offered any more; its trials, results and scores stay as they are"));
     auto *list = new QWidget;
     list->setFixedWidth(listWidth);
     auto *layout = new QVBoxLayout(list);
@@ -99,7 +149,8 @@ QWidget *TasksDialog::makeList()
     layout->addLayout(tools);
     layout->addLayout(more);
     connect(m_archive, &QPushButton::clicked, this, &TasksDialog::archive);
-    connect(m_showArchived, &QCheckBox::toggled, this, [this] { refresh(current() ? QString::fromStdString(current()->name) : QString()); });
+    connect(m_showArchived, &QCheckBox::toggled, this,
+            [this] { refresh(current() ? QString::fromStdString(current()->name) : QString()); });
     connect(m_edit, &QPushButton::clicked, this, &TasksDialog::change);
     connect(m_copy, &QPushButton::clicked, this, &TasksDialog::copy);
     connect(m_rename, &QPushButton::clicked, this, &TasksDialog::rename);
@@ -150,7 +201,8 @@ void TasksDialog::refresh(const QString &choose)
     m_tasks = std::move(*tasks);
     m_uses = std::move(*uses);
     std::ranges::stable_sort(m_tasks, {}, &TaskRecord::name);
-    const auto archived = std::ranges::count_if(m_tasks, [](const TaskRecord &task) { return task.archived.has_value(); });
+    const auto archived =
+        std::ranges::count_if(m_tasks, [](const TaskRecord &task) { return task.archived.has_value(); });
     m_showArchived->setText(tr("Show %n archived task(s)", "", static_cast<int>(archived)));
     m_showArchived->setVisible(archived > 0);
     m_shown.clear();
@@ -158,7 +210,8 @@ void TasksDialog::refresh(const QString &choose)
         if (!m_tasks[i].archived || m_showArchived->isChecked())
             m_shown.push_back(i);
     m_otherwiseOf.clear();
-    for (const OtherwiseMeasured &trial : m_project.analyses().trialsMeasuredOtherwise().value_or(std::vector<OtherwiseMeasured>()))
+    for (const OtherwiseMeasured &trial :
+         m_project.analyses().trialsMeasuredOtherwise().value_or(std::vector<OtherwiseMeasured>()))
         if (!trial.binned)
             m_otherwiseOf[trial.task] << QString::fromStdString(trial.name);
     int row = 0;
@@ -185,7 +238,9 @@ void TasksDialog::refresh(const QString &choose)
 const TaskRecord *TasksDialog::current() const
 {
     const int row = m_table->currentRow();
-    return row >= 0 && row < static_cast<int>(m_shown.size()) ? &m_tasks[m_shown[static_cast<std::size_t>(row)]] : nullptr;
+    return row >= 0 && row < static_cast<int>(m_shown.size())
+               ? &m_tasks[m_shown[static_cast<std::size_t>(row)]]
+               : nullptr;
 }
 
 void TasksDialog::showCurrent()
@@ -339,8 +394,8 @@ void TasksDialog::archive()
         return;
     const QString name = QString::fromStdString(task->name);
     const bool to = !task->archived;
-    apply(to ? tr("archive task %1").arg(name) : tr("take task %1 out of the archive").arg(name), to ? QString() : name,
-          [&, id = task->id] { return m_project.tasks().setArchived(id, to); });
+    apply(to ? tr("archive task %1").arg(name) : tr("take task %1 out of the archive").arg(name),
+          to ? QString() : name, [&, id = task->id] { return m_project.tasks().setArchived(id, to); });
 }
 
 void TasksDialog::remove()

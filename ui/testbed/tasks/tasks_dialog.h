@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/project/repositories.h"
-#include "ui/models/own_changes.h"
+#include "ui/models/project_changes.h"
 
 #include <QDialog>
 #include <QStringList>
@@ -24,10 +24,10 @@ class Project;
 class TaskCanvas;
 struct TaskDraft;
 
-/// The tasks of a project: made from templates, changed, copied, renamed, archived, deleted, each as one change that
-/// can be undone, here too (Ctrl+Z takes back what was done here). Says what depends on each, and offers to
-/// measure trials again that were measured by another course. On the project's thread; the project must
-/// outlive it.
+/// The tasks of a project: made from templates, changed, copied, renamed, archived, deleted, each as one
+/// change that can be undone, here too (Ctrl+Z takes back what was done here). Says what depends on each, and
+/// offers to measure trials again that were measured by another course. On the project's thread; the project
+/// must outlive it.
 class TasksDialog : public QDialog
 {
     Q_OBJECT

@@ -2,12 +2,11 @@
 #include "ui/testbed/together/joint_dialog.h"
 
 #include "core/base/units.h"
-#include "ui/models/breakable_text.h"
 #include "ui/models/core_words.h"
-#include "ui/views/card.h"
-#include "ui/views/number_box.h"
-#include "ui/views/table_list.h"
-#include "ui/views/words_label.h"
+#include "ui/views/widgets/card.h"
+#include "ui/views/widgets/form_fields.h"
+#include "ui/views/widgets/labels.h"
+#include "ui/views/widgets/table_list.h"
 
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -44,21 +43,27 @@ void setRow(QTableWidget &table, int row, const QStringList &texts)
         table.setItem(row, column, new QTableWidgetItem(texts[column]));
 }
 
-QString millimetres(double metres) { return QLocale().toString(toMillimetres(metres), 'f', 1); }
+QString millimetres(double metres)
+{
+    return QLocale().toString(toMillimetres(metres), 'f', 1);
+}
 
 } // namespace
 
 JointDialog::JointDialog(const QString &layout, Prepare prepare, QWidget *parent)
     : QDialog(parent), m_prepare(std::move(prepare)), m_tape(new NumberBox),
-      m_cameras(makeTable({tr("Camera"), tr("Known to, before"), tr("Known to, together"), tr("Moves by")}, tr("Cameras"))),
-      m_markers(makeTable({tr("Marker"), tr("Cameras"), tr("Off by, mm"), tr("Verdict")}, tr("Markers"))), m_verdict(new QLabel),
-      m_advice(new QLabel)
+      m_cameras(makeTable({tr("Camera"), tr("Known to, before"), tr("Known to, together"), tr("Moves by")},
+                          tr("Cameras"))),
+      m_markers(makeTable({tr("Marker"), tr("Cameras"), tr("Off by, mm"), tr("Verdict")}, tr("Markers"))),
+      m_verdict(new QLabel), m_advice(new QLabel)
 {
     setWindowTitle(tr("Register all cameras together"));
     resize(980, 520);
-    auto *intro = new QLabel(tr("The cameras of layout %1 are fitted again at once, by the markers they were registered with: where they see "
-                                "the same markers, they agree better afterwards, and a marker that was measured wrongly is found.")
-                                 .arg(breakable(layout)));
+    auto *intro = new QLabel(
+        tr("The cameras of layout %1 are fitted again at once, by the markers they were registered with: "
+           "where they see "
+           "the same markers, they agree better afterwards, and a marker that was measured wrongly is found.")
+            .arg(breakable(layout)));
     intro->setWordWrap(true);
     intro->setTextFormat(Qt::PlainText);
     m_tape->setRange(0.1, 100);
@@ -93,7 +98,8 @@ QWidget *JointDialog::makeTables()
     auto *both = new QWidget;
     auto *layout = new QHBoxLayout(both);
     layout->setContentsMargins(0, 0, 0, 0);
-    for (const auto &[title, table] : {std::pair(tr("Cameras"), m_cameras), std::pair(tr("Markers"), m_markers)}) {
+    for (const auto &[title, table] :
+         {std::pair(tr("Cameras"), m_cameras), std::pair(tr("Markers"), m_markers)}) {
         auto *card = new Card(title);
         card->setContent(table);
         layout->addWidget(card, 1);
@@ -129,8 +135,10 @@ void JointDialog::show(const std::optional<Error> &error)
         return;
     }
     m_verdict->setText(breakable(shownWords(m_job->joint().verdict)));
-    m_advice->setText(tr("What is known together reckons with the markers' places being measured to %1 mm, which a camera that is registered by "
-                         "itself takes as exact. Nothing is changed before you save; trials keep the registration they were analysed with.")
+    m_advice->setText(tr("What is known together reckons with the markers' places being measured to %1 mm, "
+                         "which a camera that is registered by "
+                         "itself takes as exact. Nothing is changed before you save; trials keep the "
+                         "registration they were analysed with.")
                           .arg(QLocale().toString(m_tape->value(), 'f', 1)));
     showCameras();
     showMarkers();
@@ -144,7 +152,8 @@ void JointDialog::showCameras()
         const FloorRegistration &before = m_job->before()[i].registration, &after = joint.registrations[i];
         const double movedM = (after.worldFromCamera.translation - before.worldFromCamera.translation).norm();
         setRow(*m_cameras, int(i),
-               {QString::fromStdString(m_job->cameras()[i]), tr("±%1 mm").arg(millimetres(before.floorSigmaM)),
+               {QString::fromStdString(m_job->cameras()[i]),
+                tr("±%1 mm").arg(millimetres(before.floorSigmaM)),
                 tr("±%1 mm").arg(millimetres(after.floorSigmaM)), tr("%1 mm").arg(millimetres(movedM))});
     }
 }
@@ -157,7 +166,8 @@ void JointDialog::showMarkers()
         const JointMarker &marker = markers[i];
         setRow(*m_markers, int(i),
                {QString::fromStdString(marker.label), QLocale().toString(marker.cameras),
-                tr("%1 ± %2").arg(millimetres(marker.offM.norm()), millimetres(std::sqrt(marker.covariance.trace()))),
+                tr("%1 ± %2").arg(millimetres(marker.offM.norm()),
+                                  millimetres(std::sqrt(marker.covariance.trace()))),
                 marker.isSuspicious ? tr("measure it again") : tr("fits")});
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/workflow/register_joint_job.h"
+#include "core/workflow/calibrate/register_job.h"
 #include "ui/models/background_task.h"
 
 #include <QDialog>
@@ -15,8 +15,8 @@ class QTableWidget;
 
 namespace odo {
 
-/// Registers all cameras of a layout together and shows what changes, before anything is stored. Once it is accepted the
-/// job is to be committed by whoever opened it.
+/// Registers all cameras of a layout together and shows what changes, before anything is stored. Once it is
+/// accepted the job is to be committed by whoever opened it.
 class JointDialog : public QDialog
 {
     Q_OBJECT

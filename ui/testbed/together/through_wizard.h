@@ -2,23 +2,64 @@
 #pragma once
 
 #include "ui/models/background_task.h"
-#include "ui/testbed/together/shared_points_page.h"
-#include "ui/testbed/together/through_source_page.h"
-#include "ui/views/step_dialog.h"
+#include "ui/testbed/check/check_camera.h"
+#include "ui/testbed/floor/floor_camera.h"
+#include "ui/testbed/floor/still_picture.h"
+#include "ui/testbed/together/internal/shared_points_page.h"
+#include "ui/views/widgets/step_dialog.h"
+
+#include <QWidget>
+#include <utility>
+#include <vector>
+
+class QComboBox;
+class QLabel;
 
 namespace odo {
 
 class LiveCameras;
+class PictureChoice;
 
-/// Registers a camera that sees no markers through another one that sees the same floor: which two and their pictures,
-/// then the same points in both. Stores nothing: that is up to whoever opened it, once it is accepted.
+/// First page of registering a camera through another one: which two, and where a picture of each comes from.
+class ThroughSourcePage : public QWidget
+{
+    Q_OBJECT
+public:
+    /// cameras: those that can be registered. registered: those it can be done through; one at least.
+    ThroughSourcePage(const std::vector<FloorCamera> &cameras, const QString &current,
+                      const std::vector<CheckCamera> &registered, const LiveCameras &live,
+                      QWidget *parent = nullptr);
+
+    const FloorCamera &camera() const;
+    const CheckCamera &through() const;
+    PictureChoice &picture() { return *m_picture; }
+    PictureChoice &throughPicture() { return *m_throughPicture; }
+    bool isComplete() const;
+
+Q_SIGNALS:
+    void completeChanged();
+
+private:
+    void showCameras();
+
+    const std::vector<FloorCamera> m_cameras;
+    const std::vector<CheckCamera> m_registered;
+    QComboBox *m_camera, *m_through;
+    PictureChoice *m_picture, *m_throughPicture;
+    QLabel *m_same; ///< shown when both are the same camera
+};
+
+/// Registers a camera that sees no markers through another one that sees the same floor: which two and their
+/// pictures, then the same points in both. Stores nothing: that is up to whoever opened it, once it is
+/// accepted.
 class ThroughWizard : public StepDialog
 {
     Q_OBJECT
 public:
     /// cameras and registered: one at least of each.
-    ThroughWizard(const std::vector<FloorCamera> &cameras, const QString &current, const std::vector<CheckCamera> &registered,
-                  const LiveCameras &live, KeepPicture keep, QWidget *parent = nullptr);
+    ThroughWizard(const std::vector<FloorCamera> &cameras, const QString &current,
+                  const std::vector<CheckCamera> &registered, const LiveCameras &live, KeepPicture keep,
+                  QWidget *parent = nullptr);
     ~ThroughWizard() override;
 
     ThroughSourcePage &source() { return *m_source; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/main_window/help/help_panel.h"
+#include "ui/main_window/help/help_actions.h"
 
 #include "tests/support/registered_test.h"
 #include "ui/main_window/main_window.h"

@@ -5,7 +5,6 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/help/help_actions.h"
-#include "ui/main_window/help/lesson_bar.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/timeline.h"
@@ -35,7 +34,9 @@ private Q_SLOTS:
         const auto doOne = [&things] { return [&things, before = things] { return things > before; }; };
         Lesson lesson;
         QSignalSpy changed(&lesson, &Lesson::changed);
-        lesson.start({{QStringLiteral("a"), {}, doOne}, {QStringLiteral("b"), {}, doOne}, {QStringLiteral("c"), {}, {}}});
+        lesson.start({{QStringLiteral("a"), {}, doOne},
+                      {QStringLiteral("b"), {}, doOne},
+                      {QStringLiteral("c"), {}, {}}});
         QVERIFY(lesson.isRunning() && !lesson.isDone());
         lesson.look();
         QVERIFY(!lesson.isDone());

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/registered_test.h"
 #include "ui/main_window/preferences/command_keys.h"
-#include "ui/main_window/preferences/keys_page.h"
 
 #include <QApplication>
 #include <QKeySequenceEdit>
@@ -148,7 +147,8 @@ void TestCommandKeys::thePageGivesAKeyByKeyboardAlone()
         return label->text() == QStringLiteral("Ctrl+E is the key of “Open project”, which would have none.");
     }));
     const auto buttons = page.findChildren<QPushButton *>();
-    QTest::keyClick(*std::ranges::find(buttons, QStringLiteral("&Use this key"), &QPushButton::text), Qt::Key_Space);
+    QTest::keyClick(*std::ranges::find(buttons, QStringLiteral("&Use this key"), &QPushButton::text),
+                    Qt::Key_Space);
     QCOMPARE(menus.track->shortcuts(), QList<QKeySequence>{ctrlE});
     QVERIFY(menus.open->shortcut().isEmpty());
     QCOMPARE(list->currentItem()->text(1), QStringLiteral("Ctrl+E"));

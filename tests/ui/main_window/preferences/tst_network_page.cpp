@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/registered_test.h"
-#include "ui/main_window/preferences/network_page.h"
+#include "ui/main_window/preferences/preferences_dialog.h"
 #include "ui/record/sent_positions.h"
 
 #include <QApplication>
@@ -15,7 +15,8 @@
 
 using namespace odo;
 
-/// Live positions are sent nowhere unless somebody says so, and then stay on this machine unless somebody says otherwise.
+/// Live positions are sent nowhere unless somebody says so, and then stay on this machine unless somebody
+/// says otherwise.
 class TestNetworkPage : public QObject
 {
     Q_OBJECT

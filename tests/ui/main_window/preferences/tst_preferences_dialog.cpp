@@ -5,11 +5,11 @@
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/main_window/main_window.h"
-#include "ui/main_window/preferences/general_page.h"
+#include "ui/main_window/preferences/preferences_dialog.h"
 #include "ui/main_window/workspace.h"
-#include "ui/models/shown_units.h"
+#include "ui/models/figure_text.h"
 #include "ui/review/review_page.h"
-#include "ui/views/theme.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QAction>
 #include <QApplication>

@@ -47,7 +47,8 @@ std::unique_ptr<AccuracyDialog> TestAccuracyDialog::makeDialog(int cameras)
     for (int i = 0; i < cameras; ++i) {
         const FloorView &truth = m_scene.cameras[std::size_t(i)].view;
         known.push_back({QString(QChar(u'A' + i)),
-                         FloorView(truth.camera(), truth.worldFromCamera(), Eigen::Matrix<double, 6, 6>::Identity() * 1e-7),
+                         FloorView(truth.camera(), truth.worldFromCamera(),
+                                   Eigen::Matrix<double, 6, 6>::Identity() * 1e-7),
                          m_scene.floor.markers, std::nullopt});
     }
     auto dialog = std::make_unique<AccuracyDialog>(m_scene.floor.markers, known, 0.06);
@@ -62,7 +63,10 @@ QString TestAccuracyDialog::summary(AccuracyDialog &dialog)
 }
 
 /// The first figure of "±1.8 mm in the middle, …".
-static double middleMm(const QString &words) { return words.mid(1, words.indexOf(QLatin1Char(' ')) - 1).toDouble(); }
+static double middleMm(const QString &words)
+{
+    return words.mid(1, words.indexOf(QLatin1Char(' ')) - 1).toDouble();
+}
 
 void TestAccuracyDialog::mapsTheRegisteredCameras()
 {
@@ -104,7 +108,7 @@ void TestAccuracyDialog::plansByNumbersAlone()
     QCOMPARE(dialog->planned(2)->heightM, 3.0);
     auto *direction = named<QDoubleSpinBox>(*dialog, "Direction in which it looks");
     const Eigen::Vector2d foot = dialog->planned(2)->footM();
-    direction->setValue(direction->value() + 10); // it turns where it stands
+    direction->setValue(direction->value() + 10);                 // it turns where it stands
     QVERIFY((dialog->planned(2)->footM() - foot).norm() < 0.002); // the form counts in whole millimetres
     const QString words = summary(*dialog);
     QVERIFY2(middleMm(words) <= before, qPrintable(words));
@@ -114,7 +118,8 @@ void TestAccuracyDialog::plansByMouse()
 {
     const auto dialog = makeDialog(0); // with none, one is planned to begin with
     QVERIFY(dialog->planned(0));
-    QVERIFY2(summary(*dialog).contains(QStringLiteral("mm in the middle")), "it sees the markers from where it begins");
+    QVERIFY2(summary(*dialog).contains(QStringLiteral("mm in the middle")),
+             "it sees the markers from where it begins");
     FloorSketch &sketch = dialog->sketch();
     const Eigen::Vector2d foot = dialog->planned(0)->footM(), aim = dialog->planned(0)->aimM;
     const QPoint from = sketch.fromWorld(foot).toPoint(), by(60, -20);

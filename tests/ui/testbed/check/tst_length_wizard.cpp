@@ -5,11 +5,10 @@
 #include "core/video/picture_writer.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
-#include "ui/models/live_cameras.h"
-#include "ui/testbed/check/length_page.h"
+#include "ui/models/camera_lists.h"
 #include "ui/testbed/check/length_wizard.h"
 #include "ui/testbed/floor/marker_canvas.h"
-#include "ui/testbed/floor/picture_choice.h"
+#include "ui/testbed/floor/still_picture.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -49,7 +48,9 @@ private:
     double trueLengthMm() const;
 
     QTemporaryDir m_folder;
-    LiveCameras m_live{[] { return std::vector<CameraDescription>{{.uri = "sim:A", .kind = "simulated", .name = "Simulated"}}; }};
+    LiveCameras m_live{[] {
+        return std::vector<CameraDescription>{{.uri = "sim:A", .kind = "simulated", .name = "Simulated"}};
+    }};
     SimulatedScene m_scene = demoTestbed(1);
     QString m_picture;
 };
@@ -66,14 +67,17 @@ Eigen::Vector2d TestLengthWizard::seen(const char *label) const
 {
     for (const Marker &marker : m_scene.floor.markers.markers)
         if (marker.label == label)
-            return *m_scene.cameras[0].view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0});
+            return *m_scene.cameras[0].view.pixelFromWorld(
+                {marker.pointInWorld.x(), marker.pointInWorld.y(), 0});
     return {};
 }
 
 double TestLengthWizard::trueLengthMm() const
 {
     const auto &markers = m_scene.floor.markers.markers;
-    const auto at = [&](const char *label) { return std::ranges::find(markers, std::string(label), &Marker::label)->pointInWorld; };
+    const auto at = [&](const char *label) {
+        return std::ranges::find(markers, std::string(label), &Marker::label)->pointInWorld;
+    };
     return 1000 * (at("U") - at("O")).norm();
 }
 
@@ -81,10 +85,11 @@ std::unique_ptr<LengthWizard> TestLengthWizard::makeWizard(const QString &pictur
 {
     // A camera whose pose is known to some millimetres, as after a good registration.
     const FloorView &truth = m_scene.cameras[0].view;
-    const FloorView view(truth.camera(), truth.worldFromCamera(), Eigen::Matrix<double, 6, 6>::Identity() * 1e-7);
+    const FloorView view(truth.camera(), truth.worldFromCamera(),
+                         Eigen::Matrix<double, 6, 6>::Identity() * 1e-7);
     auto wizard = std::make_unique<LengthWizard>(
-        std::vector<CheckCamera>{{QStringLiteral("A"), view, m_scene.floor.markers, std::nullopt}}, QStringLiteral("A"),
-        m_live);
+        std::vector<CheckCamera>{{QStringLiteral("A"), view, m_scene.floor.markers, std::nullopt}},
+        QStringLiteral("A"), m_live);
     if (!picture.isEmpty())
         wizard->picture().setFile(picture);
     wizard->open();
@@ -129,9 +134,11 @@ void TestLengthWizard::measuresByKeysAlone()
     MarkerCanvas &canvas = wizard->page().canvas();
     QTRY_VERIFY(canvas.hasFocus());
     const Intrinsics &lens = m_scene.cameras[0].view.camera().intrinsics();
-    const auto walk = [&](const Eigen::Vector2d &to) { // from the middle, in steps of twenty pixels and of one
+    // from the middle, in steps of twenty pixels and of one
+    const auto walk = [&](const Eigen::Vector2d &to) {
         const Eigen::Vector2d way = to - 0.5 * Eigen::Vector2d(lens.widthPx - 1, lens.heightPx - 1);
-        for (const auto &[pixels, less, more] : {std::tuple(way.x(), Qt::Key_Left, Qt::Key_Right), std::tuple(way.y(), Qt::Key_Up, Qt::Key_Down)}) {
+        for (const auto &[pixels, less, more] : {std::tuple(way.x(), Qt::Key_Left, Qt::Key_Right),
+                                                 std::tuple(way.y(), Qt::Key_Up, Qt::Key_Down)}) {
             const Qt::Key key = pixels < 0 ? less : more;
             const int whole = int(std::abs(pixels));
             for (int i = 0; i < whole / 20; ++i)
@@ -179,16 +186,21 @@ void TestLengthWizard::measuresWithoutATruth()
     QVERIFY(says(*wizard, "Give its true length"));
     // A step by key is by hand: no longer what was snapped to.
     QTest::keyClick(&canvas, Qt::Key_Right);
-    QCOMPARE(named<QTableWidget>(*wizard, "Ends of the length")->item(1, 1)->text(), QStringLiteral("by hand"));
+    QCOMPARE(named<QTableWidget>(*wizard, "Ends of the length")->item(1, 1)->text(),
+             QStringLiteral("by hand"));
 }
 
 void TestLengthWizard::tellsWhatIsWrong()
 {
     const QString small = m_folder.filePath(QStringLiteral("small.png"));
-    QVERIFY(writePicture(renderBoard(CameraModel::assumed(640, 480), {.cameraFromBoard = {Eigen::Quaterniond::Identity(), {0, 0, 0.5}}}, 0, 1), small.toStdString()));
+    QVERIFY(
+        writePicture(renderBoard(CameraModel::assumed(640, 480),
+                                 {.cameraFromBoard = {Eigen::Quaterniond::Identity(), {0, 0, 0.5}}}, 0, 1),
+                     small.toStdString()));
     const auto wizard = makeWizard(small);
     QTest::keyClick(wizard.get(), Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(says(*wizard, "it is 640×480, but the lens was measured at 1280×720"), patienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(says(*wizard, "it is 640×480, but the lens was measured at 1280×720"),
+                             patienceMs);
 
     const auto same = makeWizard(m_picture);
     walkToEnds(*same);

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cameras are checked before a trial: one that stands still, one that was pushed, one that shows something else.
+// The cameras are checked before a trial: one that stands still, one that was pushed, one that shows
+// something else.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
-#include "core/workflow/register_job.h"
-#include "core/workflow/registered_view.h"
+#include "core/workflow/calibrate/register_job.h"
+#include "core/workflow/trial_sources.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
-#include "ui/models/camera_list_model.h"
-#include "ui/models/live_cameras.h"
+#include "ui/models/camera_lists.h"
 #include "ui/testbed/check/moved_dialog.h"
 
 #include <QApplication>
@@ -68,7 +68,8 @@ void TestMovedDialog::initTestCase()
     SimulatedScene pushed = m_scene;
     const FloorView &view = m_scene.cameras[0].view;
     RigidTransform turned = view.worldFromCamera();
-    turned.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(0.006, Eigen::Vector3d::UnitZ())) * turned.rotation;
+    turned.rotation =
+        Eigen::Quaterniond(Eigen::AngleAxisd(0.006, Eigen::Vector3d::UnitZ())) * turned.rotation;
     pushed.cameras[0].view = FloorView(view.camera(), turned, Eigen::Matrix<double, 6, 6>::Zero());
     m_pushed = draw(pushed, "pushed.png");
     SimulatedScene bare = m_scene; // the camera looks where no markers are
@@ -78,7 +79,10 @@ void TestMovedDialog::initTestCase()
     covered.floor.markers.markers.pop_back();
     m_covered = draw(covered, "covered.png");
     m_small = m_folder.filePath(QStringLiteral("small.png"));
-    QVERIFY(writePicture(renderBoard(CameraModel::assumed(640, 480), {.cameraFromBoard = {Eigen::Quaterniond::Identity(), {0, 0, 0.5}}}, 0, 1), m_small.toStdString()));
+    QVERIFY(
+        writePicture(renderBoard(CameraModel::assumed(640, 480),
+                                 {.cameraFromBoard = {Eigen::Quaterniond::Identity(), {0, 0, 0.5}}}, 0, 1),
+                     m_small.toStdString()));
     for (const QString &file : {m_still, m_pushed, m_elsewhere, m_covered})
         QVERIFY(!file.isEmpty());
 }
@@ -105,8 +109,12 @@ std::unique_ptr<MovedDialog> TestMovedDialog::makeDialog()
     std::vector<CheckCamera> cameras;
     const auto rows = loadCameraRows(*m_project);
     for (const CameraRow &row : *rows)
-        cameras.push_back({QString::fromStdString(row.camera.name), *floorViewOf(*m_project, *row.registration),
-                           m_scene.floor.markers, std::nullopt, {}, cameraBadge(row.registration)});
+        cameras.push_back({QString::fromStdString(row.camera.name),
+                           *floorViewOf(*m_project, *row.registration),
+                           m_scene.floor.markers,
+                           std::nullopt,
+                           {},
+                           cameraBadge(row.registration)});
     auto dialog = std::make_unique<MovedDialog>(*m_project, std::move(cameras), m_live);
     dialog->open();
     return dialog;
@@ -150,7 +158,9 @@ void TestMovedDialog::tellsOneThatWasPushed()
     QVERIFY(says(*dialog, "B has moved"));
     QVERIFY(says(*dialog, "register it again before you record"));
     // What the lists of cameras show changes too, until it is registered again.
-    const auto badgeOf = [&](int row) { return cameraBadge(loadCameraRows(*m_project)->at(std::size_t(row)).registration); };
+    const auto badgeOf = [&](int row) {
+        return cameraBadge(loadCameraRows(*m_project)->at(std::size_t(row)).registration);
+    };
     QCOMPARE(badgeOf(1).state, BadgeState::Bad);
     QVERIFY(badgeOf(1).text.startsWith(QStringLiteral("moved ")));
     QVERIFY(badgeOf(0).text.startsWith(QChar(0xb1)));
@@ -169,7 +179,8 @@ void TestMovedDialog::tellsOneThatLooksElsewhere()
     QCOMPARE(result(*dialog, 0), QStringLiteral("not told"));
     QVERIFY(says(*dialog, "markers were found again, two are needed"));
     QVERIFY(kept("A") && kept("A")->outcome == RegistrationCheck::Outcome::NotTold);
-    QCOMPARE(cameraBadge(loadCameraRows(*m_project)->front().registration).text, QStringLiteral("markers not found"));
+    QCOMPARE(cameraBadge(loadCameraRows(*m_project)->front().registration).text,
+             QStringLiteral("markers not found"));
 }
 
 void TestMovedDialog::namesMarkersThatAreNotFound()
@@ -188,7 +199,9 @@ void TestMovedDialog::checksAllByKeysAlone()
     dialog->setPicture(0, {m_still, {}});
     dialog->setPicture(1, {m_pushed, {}});
     QTest::keyClick(dialog.get(), Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(!result(*dialog, 1).isEmpty() && button(*dialog, "Check")->isEnabled() && !dialog->isRunning(), patienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!result(*dialog, 1).isEmpty() && button(*dialog, "Check")->isEnabled() &&
+                                 !dialog->isRunning(),
+                             patienceMs);
     auto *table = named<QTableWidget>(*dialog, "Registered cameras");
     QCOMPARE(table->currentRow(), 1); // the one that is wrong
     table->setFocus();

@@ -2,11 +2,10 @@
 // Older calibrations and registrations, by mouse and by keyboard, and trials that are measured again.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/revisions.h"
+#include "core/workflow/calibrate/revisions.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/stored_example.h"
-#include "ui/testbed/check/reprocess_dialog.h"
 #include "ui/testbed/check/revisions_dialog.h"
 
 #include <QApplication>
@@ -103,7 +102,8 @@ void TestRevisionsDialog::usesAnOlderOneByMouse()
     QTest::mouseClick(button(dialog, "Use this one"), Qt::LeftButton);
     QCOMPARE(currentRegistration(), m_first);
     QVERIFY(dialog.hasChanged());
-    QCOMPARE(named<QTableWidget>(dialog, "Revisions")->item(2, StateColumn)->text(), QStringLiteral("in force"));
+    QCOMPARE(named<QTableWidget>(dialog, "Revisions")->item(2, StateColumn)->text(),
+             QStringLiteral("in force"));
     QVERIFY(says(dialog, "Trials keep theirs until they are measured again."));
 }
 
@@ -135,7 +135,8 @@ void TestRevisionsDialog::registersWithANewerLens()
     QVERIFY(says(dialog, "it was made with it already"));
     QVERIFY(!dialog.hasChanged());
     dialog.close();
-    IntrinsicsRecord lens = *m_project->cameras().currentIntrinsics(m_project->cameras().find("A")->id).value();
+    IntrinsicsRecord lens =
+        *m_project->cameras().currentIntrinsics(m_project->cameras().find("A")->id).value();
     QVERIFY(m_project->cameras().addIntrinsics(lens));
     RevisionsDialog next(*m_project, {QStringLiteral("A")}, QStringLiteral("A"));
     next.open();
@@ -171,7 +172,8 @@ void TestRevisionsDialog::measuresAgainAndKeeps()
     for (int row = 0; row < changes->rowCount(); ++row) {
         QVERIFY2(!changes->item(row, 2)->text().endsWith(QStringLiteral(" 1")), "a bare number has no unit");
         const QString change = changes->item(row, 4)->text();
-        QVERIFY2(change.isEmpty() || change == QStringLiteral("none") || change.contains(QRegularExpression(QStringLiteral("^[+−].*[1-9]"))),
+        QVERIFY2(change.isEmpty() || change == QStringLiteral("none") ||
+                     change.contains(QRegularExpression(QStringLiteral("^[+−].*[1-9]"))),
                  qPrintable(change));
     }
     QCOMPARE(currentAnalysis(), before);

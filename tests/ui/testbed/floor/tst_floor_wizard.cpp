@@ -6,17 +6,15 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/busy_watch.h"
 #include "tests/ui/support/found_widgets.h"
-#include "ui/models/live_cameras.h"
-#include "ui/testbed/floor/floor_source_page.h"
+#include "ui/models/camera_lists.h"
 #include "ui/testbed/floor/floor_wizard.h"
 #include "ui/testbed/floor/layout_dialog.h"
-#include "ui/testbed/floor/layout_drawing.h"
 #include "ui/testbed/floor/marker_canvas.h"
 #include "ui/testbed/floor/marker_page.h"
 
-#include <QFile>
 #include <QApplication>
 #include <QComboBox>
+#include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -62,9 +60,11 @@ private:
     Eigen::Vector2d truth(const char *label) const;
 
     QTemporaryDir m_folder;
-    int m_keptWidth = 0; ///< of the picture that was to be kept
+    int m_keptWidth = 0;            ///< of the picture that was to be kept
     std::optional<Error> m_problem; ///< of keeping it
-    LiveCameras m_live{[] { return std::vector<CameraDescription>{{.uri = "sim:A", .kind = "simulated", .name = "Simulated"}}; }};
+    LiveCameras m_live{[] {
+        return std::vector<CameraDescription>{{.uri = "sim:A", .kind = "simulated", .name = "Simulated"}};
+    }};
     SimulatedScene m_scene = demoTestbed(1);
     QString m_picture, m_bare; ///< with tags, and without
     LayoutRecord m_layout;
@@ -88,7 +88,8 @@ Eigen::Vector2d TestFloorWizard::truth(const char *label) const
 {
     for (const Marker &marker : m_layout.layout.markers)
         if (marker.label == label)
-            return *m_scene.cameras[0].view.pixelFromWorld({marker.pointInWorld.x(), marker.pointInWorld.y(), 0});
+            return *m_scene.cameras[0].view.pixelFromWorld(
+                {marker.pointInWorld.x(), marker.pointInWorld.y(), 0});
     return {};
 }
 
@@ -97,13 +98,13 @@ std::unique_ptr<FloorWizard> TestFloorWizard::makeWizard(const QString &picture)
     IntrinsicsRecord lens;
     lens.id = 3;
     lens.calibration.intrinsics = m_scene.cameras[0].view.camera().intrinsics();
-    auto wizard = std::make_unique<FloorWizard>(std::vector<FloorCamera>{{QStringLiteral("A"), lens, std::nullopt}}, QStringLiteral("A"),
-                                                std::vector<LayoutRecord>{m_layout},
-                                                m_live,
-                                                [this](const QString &, const Frame &kept) -> Result<void> {
-                                                    m_keptWidth = kept.format.width;
-                                                    return m_problem ? Result<void>(tl::unexpected(*m_problem)) : Result<void>();
-                                                });
+    auto wizard = std::make_unique<FloorWizard>(
+        std::vector<FloorCamera>{{QStringLiteral("A"), lens, std::nullopt}}, QStringLiteral("A"),
+        std::vector<LayoutRecord>{m_layout}, m_live,
+        [this](const QString &, const Frame &kept) -> Result<void> {
+            m_keptWidth = kept.format.width;
+            return m_problem ? Result<void>(tl::unexpected(*m_problem)) : Result<void>();
+        });
     if (!picture.isEmpty())
         wizard->source().setFile(picture);
     wizard->open();
@@ -131,7 +132,8 @@ void TestFloorWizard::findsTheMarkersByItself()
     QCOMPARE(record.layout, RecordId(7));
     QCOMPARE(record.intrinsics, RecordId(3));
     QCOMPARE(record.pixels.size(), std::size_t(4));
-    const Eigen::Vector3d off = record.registration.worldFromCamera.translation - m_scene.cameras[0].view.cameraInWorld();
+    const Eigen::Vector3d off =
+        record.registration.worldFromCamera.translation - m_scene.cameras[0].view.cameraInWorld();
     QVERIFY2(off.norm() < 0.02, qPrintable(QString::number(off.norm())));
 }
 
@@ -155,11 +157,13 @@ void TestFloorWizard::byKeyboardFromACamera()
     QTest::keyClick(wizard.get(), Qt::Key_Return);
     QCOMPARE(wizard->findChild<QStackedWidget *>()->currentIndex(), 1);
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
-    QVERIFY2(busy.longestMs() < longestAllowedMs(), qPrintable(QStringLiteral("the event loop stood for %1 ms").arg(busy.longestMs())));
+    QVERIFY2(busy.longestMs() < longestAllowedMs(),
+             qPrintable(QStringLiteral("the event loop stood for %1 ms").arg(busy.longestMs())));
     QTest::keyClick(wizard.get(), Qt::Key_Return);
     QTRY_COMPARE(wizard->QDialog::result(), int(QDialog::Accepted));
     QCOMPARE(wizard->camera(), QStringLiteral("A"));
-    const Eigen::Vector3d off = wizard->result().registration.worldFromCamera.translation - m_scene.cameras[0].view.cameraInWorld();
+    const Eigen::Vector3d off =
+        wizard->result().registration.worldFromCamera.translation - m_scene.cameras[0].view.cameraInWorld();
     QVERIFY2(off.norm() < 0.02, qPrintable(QString::number(off.norm())));
 }
 
@@ -180,12 +184,14 @@ void TestFloorWizard::byMouseFromACamera()
 
 void TestFloorWizard::staysOpenWhenTheDiskIsFull()
 {
-    m_problem = Error{ErrorCode::Io, "calibration picture 'A_floor'", "no space left on device", "check the free space"};
+    m_problem = Error{ErrorCode::Io, "calibration picture 'A_floor'", "no space left on device",
+                      "check the free space"};
     const auto wizard = makeWizard(m_picture);
     walkToMarkers(*wizard);
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
     QTest::mouseClick(button(*wizard, "Save"), Qt::LeftButton);
-    QTRY_VERIFY(says(*wizard, "The registration was not stored. calibration picture 'A_floor': no space left on device; check the free space"));
+    QTRY_VERIFY(says(*wizard, "The registration was not stored. calibration picture 'A_floor': no space left "
+                              "on device; check the free space"));
     m_problem.reset();
     QTRY_VERIFY(button(*wizard, "Save")->isEnabled());
     QTest::mouseClick(button(*wizard, "Save"), Qt::LeftButton);
@@ -206,11 +212,14 @@ void TestFloorWizard::takesMarkersByMouseAndKeys()
         QCOMPARE(wizard->markers().pixels().size(), std::size_t(row + 1));
     }
     // A click is good to a screen pixel, which is more than one of the picture.
-    QVERIFY2(wizard->markers().registration() || says(*wizard, "fit"), "four clicks say where the camera stands, or why not");
+    QVERIFY2(wizard->markers().registration() || says(*wizard, "fit"),
+             "four clicks say where the camera stands, or why not");
     // The keys move the chosen marker by a tenth of a pixel, with Shift by one.
     table->selectRow(0);
     const std::string label = table->item(0, 0)->text().toStdString();
-    const auto pixel = [&] { return std::ranges::find(wizard->markers().pixels(), label, &MarkerPixel::label)->pixel; };
+    const auto pixel = [&] {
+        return std::ranges::find(wizard->markers().pixels(), label, &MarkerPixel::label)->pixel;
+    };
     const Eigen::Vector2d before = pixel();
     QTest::keyClick(&canvas, Qt::Key_Right);
     QTest::keyClick(&canvas, Qt::Key_Up, Qt::ShiftModifier);
@@ -267,10 +276,14 @@ void TestFloorWizard::tellsWhatIsWrongWithAPicture()
     SimulatedScene small = m_scene;
     Intrinsics lens = small.cameras[0].view.camera().intrinsics();
     const QString other = m_folder.filePath(QStringLiteral("small.png"));
-    QVERIFY(writePicture(renderBoard(CameraModel::assumed(640, 480), {.cameraFromBoard = {Eigen::Quaterniond::Identity(), {0, 0, 0.5}}}, 0, 1), other.toStdString()));
+    QVERIFY(
+        writePicture(renderBoard(CameraModel::assumed(640, 480),
+                                 {.cameraFromBoard = {Eigen::Quaterniond::Identity(), {0, 0, 0.5}}}, 0, 1),
+                     other.toStdString()));
     const auto wizard = makeWizard(other);
     QTest::keyClick(wizard.get(), Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(says(*wizard, "it is 640×480, but the lens was measured at 1280×720"), patienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(says(*wizard, "it is 640×480, but the lens was measured at 1280×720"),
+                             patienceMs);
     QVERIFY(says(*wizard, "measure the lens again"));
     QVERIFY(!button(*wizard, "Save")->isEnabled());
 }
@@ -299,9 +312,12 @@ void TestFloorWizard::layoutAxesAreChanged()
     change.originMarker = "D";
     dialog.changeAxes(change);
     const auto &markers = dialog.layout().markers;
-    const auto d = std::ranges::find(markers, std::string("D"), &Marker::label), o = std::ranges::find(markers, std::string("O"), &Marker::label);
+    const auto d = std::ranges::find(markers, std::string("D"), &Marker::label),
+               o = std::ranges::find(markers, std::string("O"), &Marker::label);
     QVERIFY(d->pointInWorld.norm() < 1e-12);
-    QVERIFY((o->pointInWorld + m_layout.layout.markers.back().pointInWorld - m_layout.layout.markers.front().pointInWorld).norm() < 1e-9);
+    QVERIFY((o->pointInWorld + m_layout.layout.markers.back().pointInWorld -
+             m_layout.layout.markers.front().pointInWorld)
+                .norm() < 1e-9);
     dialog.changeAxes({.reverseX = true});
     QVERIFY2(says(dialog, "mirror"), "one axis alone cannot be reversed");
 }
@@ -313,9 +329,12 @@ void TestFloorWizard::layoutProblemsAreNamed_data()
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("words");
     QTest::newRow("no label") << 1 << 0 << QString() << QStringLiteral("A marker has no label.");
-    QTest::newRow("the same label") << 1 << 0 << QStringLiteral("O") << QStringLiteral("Two markers are called O.");
-    QTest::newRow("no number") << 1 << 1 << QStringLiteral("far") << QStringLiteral("The place of U is not a number.");
-    QTest::newRow("one place") << 1 << 1 << QStringLiteral("0") << QStringLiteral("O and U lie at one place.");
+    QTest::newRow("the same label") << 1 << 0 << QStringLiteral("O")
+                                    << QStringLiteral("Two markers are called O.");
+    QTest::newRow("no number") << 1 << 1 << QStringLiteral("far")
+                               << QStringLiteral("The place of U is not a number.");
+    QTest::newRow("one place") << 1 << 1 << QStringLiteral("0")
+                               << QStringLiteral("O and U lie at one place.");
 }
 
 void TestFloorWizard::layoutProblemsAreNamed()
@@ -333,7 +352,8 @@ void TestFloorWizard::layoutProblemsAreNamed()
 void TestFloorWizard::layoutGoesOutAndComesBack()
 {
     const QString file = m_folder.filePath(QStringLiteral("layout.csv"));
-    LayoutDialog from(m_layout.layout, {}), to({"y", {{"O", {0, 0}}, {"U", {1, 0}}, {"V", {0, 1}}, {"D", {1, 1}}}}, {});
+    LayoutDialog from(m_layout.layout, {}),
+        to({"y", {{"O", {0, 0}}, {"U", {1, 0}}, {"V", {0, 1}}, {"D", {1, 1}}}}, {});
     QVERIFY(from.exportCsv(file.toStdString()));
     QVERIFY(to.importCsv(file));
     for (std::size_t i = 0; i < 4; ++i)

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lens wizard as a person walks it: by keyboard from files, by mouse from a camera, with cancel at every page.
+// The lens wizard as a person walks it: by keyboard from files, by mouse from a camera, with cancel at every
+// page.
 #include "core/base/units.h"
-#include "core/capture/simulated_source.h"
-#include "core/simulation/board_poses.h"
+#include "core/capture/internal/stand_in_source.h"
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/busy_watch.h"
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
-#include "ui/models/live_cameras.h"
-#include "ui/testbed/lens/board_canvas.h"
-#include "ui/testbed/lens/film_strip.h"
-#include "ui/testbed/lens/lens_pictures_page.h"
-#include "ui/testbed/lens/lens_source_page.h"
+#include "ui/models/camera_lists.h"
+#include "ui/testbed/lens/internal/board_canvas.h"
+#include "ui/testbed/lens/internal/lens_pictures_page.h"
+#include "ui/testbed/lens/internal/lens_result_page.h"
 #include "ui/testbed/lens/lens_wizard.h"
-#include "ui/testbed/lens/picture_bars.h"
 
 #include <QAction>
 #include <QApplication>
@@ -43,14 +41,19 @@ constexpr int patienceMs = 120'000;
 
 CameraModel lens()
 {
-    return *CameraModel::create({widthPx, heightPx, 560, 561, 322, 178, LensModel::Standard, {-0.1, 0.02, 0, 0}, {}});
+    return *CameraModel::create(
+        {widthPx, heightPx, 560, 561, 322, 178, LensModel::Standard, {-0.1, 0.02, 0, 0}, {}});
 }
 
-CameraDescription simulatedCamera() { return {"sim:T", "simulated", "Test camera", widthPx, heightPx, 30}; }
+CameraDescription simulatedCamera()
+{
+    return {"sim:T", "simulated", "Test camera", widthPx, heightPx, 30};
+}
 
 std::shared_ptr<CameraSource> fastCamera()
 {
-    return simulatedBoardSource(simulatedCamera(), lens(), {}, heldBoardPoses(lens(), {}, poses, 3), Pace::Kind::None);
+    return simulatedBoardSource(simulatedCamera(), lens(), {}, heldBoardPoses(lens(), {}, poses, 3),
+                                Pace::Kind::None);
 }
 
 } // namespace
@@ -107,7 +110,8 @@ QStringList TestLensWizard::draw(int count, const QString &name) const
     SimulatedBoard board;
     for (const RigidTransform &pose : heldBoardPoses(lens(), board, count, 3)) {
         board.cameraFromBoard = pose;
-        files << m_folder.filePath(QStringLiteral("%1%2.png").arg(name).arg(files.size() + 1, 2, 10, QLatin1Char('0')));
+        files << m_folder.filePath(
+            QStringLiteral("%1%2.png").arg(name).arg(files.size() + 1, 2, 10, QLatin1Char('0')));
         if (!writePicture(renderBoard(lens(), board, 2, 7), files.last().toStdString()))
             qFatal("cannot write a picture");
     }
@@ -120,7 +124,8 @@ std::unique_ptr<LensWizard> TestLensWizard::makeWizard(bool cameraThere)
         QStringList{QStringLiteral("A"), QStringLiteral("B")}, QStringLiteral("B"), m_live,
         LensWizard::Callbacks{[cameraThere](const QString &) -> Result<std::shared_ptr<CameraSource>> {
                                   if (!cameraThere)
-                                      return fail(ErrorCode::Io, "'sim:T'", "the camera does not answer", "plug it in again");
+                                      return fail(ErrorCode::Io, "'sim:T'", "the camera does not answer",
+                                                  "plug it in again");
                                   return fastCamera();
                               },
                               [this](const MeasuredLens &lens, const JobControl &) { return keep(lens); }});
@@ -172,7 +177,8 @@ void TestLensWizard::byKeyboardFromFiles()
     QTest::keyClick(wizard.get(), Qt::Key_Return);
     QCOMPARE(page(*wizard), 2);
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
-    QVERIFY2(busy.longestMs() < longestAllowedMs(), qPrintable(QStringLiteral("the event loop stood for %1 ms").arg(busy.longestMs())));
+    QVERIFY2(busy.longestMs() < longestAllowedMs(),
+             qPrintable(QStringLiteral("the event loop stood for %1 ms").arg(busy.longestMs())));
     QTest::keyClick(wizard.get(), Qt::Key_Return);
     QTRY_COMPARE(wizard->QDialog::result(), int(QDialog::Accepted));
     QCOMPARE(m_kept, std::size_t(kept));
@@ -196,7 +202,8 @@ void TestLensWizard::fortyPicturesNeverStallTheWindow()
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
     QTest::mouseClick(button(*wizard, "Save"), Qt::LeftButton);
     QTRY_COMPARE(wizard->QDialog::result(), int(QDialog::Accepted));
-    QVERIFY2(busy.longestMs() < longestAllowedMs(), qPrintable(QStringLiteral("the event loop stood for %1 ms").arg(busy.longestMs())));
+    QVERIFY2(busy.longestMs() < longestAllowedMs(),
+             qPrintable(QStringLiteral("the event loop stood for %1 ms").arg(busy.longestMs())));
 }
 
 void TestLensWizard::byMouseFromACamera()
@@ -209,8 +216,10 @@ void TestLensWizard::byMouseFromACamera()
     // Pictures are taken by themselves until they are enough.
     auto *strip = wizard->findChild<FilmStrip *>();
     QTRY_VERIFY_WITH_TIMEOUT(strip->count() >= 10, patienceMs);
-    QVERIFY2(strip->viewport()->rect().intersects(strip->visualItemRect(strip->item(strip->count() - 1))), "the newest picture is in sight");
-    QVERIFY(wizard->findChild<LensPicturesPage *>()->findChild<BoardCanvas *>()->content().wanted.has_value());
+    QVERIFY2(strip->viewport()->rect().intersects(strip->visualItemRect(strip->item(strip->count() - 1))),
+             "the newest picture is in sight");
+    QVERIFY(
+        wizard->findChild<LensPicturesPage *>()->findChild<BoardCanvas *>()->content().wanted.has_value());
     QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
     QCOMPARE(page(*wizard), 2);
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
@@ -285,7 +294,8 @@ void TestLensWizard::leavesOutWhatIsAboveTheThreshold()
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
     const std::size_t kept = wizard->result().calibration.picturesUsed();
     auto *bars = wizard->findChild<PictureBars *>();
-    for (int i = 0; i < 30 && wizard->result().calibration.picturesUsed() == kept; ++i) { // from 1.5 times the worst down
+    // from 1.5 times the worst down
+    for (int i = 0; i < 30 && wizard->result().calibration.picturesUsed() == kept; ++i) {
         QTest::keyClick(bars, Qt::Key_Down);
         QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
     }
@@ -311,9 +321,12 @@ void TestLensWizard::staysOpenWhenTheDiskIsFull()
     walkToPictures(*wizard);
     QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
-    m_problem = Error{ErrorCode::Io, "calibration picture 'B_1'", "no space left on device", "check the free space"};
+    m_problem =
+        Error{ErrorCode::Io, "calibration picture 'B_1'", "no space left on device", "check the free space"};
     QTest::mouseClick(button(*wizard, "Save"), Qt::LeftButton);
-    QTRY_VERIFY(says(*wizard, "The lens was not stored. calibration picture 'B_1': no space left on device; check the free space"));
+    QTRY_VERIFY(says(
+        *wizard,
+        "The lens was not stored. calibration picture 'B_1': no space left on device; check the free space"));
     QVERIFY(wizard->isVisible());
     m_problem.reset();
     QTRY_VERIFY(button(*wizard, "Save")->isEnabled());

@@ -6,8 +6,8 @@
 #include "core/video/frame.h"
 #include "tests/support/registered_test.h"
 #include "ui/testbed/targets/target_dialog.h"
-#include "ui/testbed/targets/target_painter.h"
-#include "ui/views/output_question.h"
+#include "ui/testbed/targets/target_sheet.h"
+#include "ui/views/widgets/path_field.h"
 
 #include <QApplication>
 #include <QDir>
@@ -43,7 +43,10 @@ Frame frameOf(const QImage &image)
 }
 
 /// Millimetres on the paper; pixel (0,0) is the centre of the first pixel.
-Eigen::Vector2d onPaperMm(const Eigen::Vector2d &pixel) { return (pixel + Eigen::Vector2d(0.5, 0.5)) / pixelsAMillimetre; }
+Eigen::Vector2d onPaperMm(const Eigen::Vector2d &pixel)
+{
+    return (pixel + Eigen::Vector2d(0.5, 0.5)) / pixelsAMillimetre;
+}
 
 } // namespace
 
@@ -70,10 +73,14 @@ void TestTargets::boardIsFoundToScale_data()
     QTest::addColumn<int>("columns");
     QTest::addColumn<int>("rows");
     QTest::addColumn<double>("squareMm");
-    QTest::newRow("checkerboard on A4") << int(TargetKind::Checkerboard) << int(QPageSize::A4) << 9 << 6 << 25.0;
-    QTest::newRow("checkerboard on Letter") << int(TargetKind::Checkerboard) << int(QPageSize::Letter) << 9 << 6 << 25.0;
-    QTest::newRow("checkerboard on A3") << int(TargetKind::Checkerboard) << int(QPageSize::A3) << 9 << 6 << 36.0;
-    QTest::newRow("upright checkerboard") << int(TargetKind::Checkerboard) << int(QPageSize::A4) << 5 << 8 << 28.0;
+    QTest::newRow("checkerboard on A4")
+        << int(TargetKind::Checkerboard) << int(QPageSize::A4) << 9 << 6 << 25.0;
+    QTest::newRow("checkerboard on Letter")
+        << int(TargetKind::Checkerboard) << int(QPageSize::Letter) << 9 << 6 << 25.0;
+    QTest::newRow("checkerboard on A3")
+        << int(TargetKind::Checkerboard) << int(QPageSize::A3) << 9 << 6 << 36.0;
+    QTest::newRow("upright checkerboard")
+        << int(TargetKind::Checkerboard) << int(QPageSize::A4) << 5 << 8 << 28.0;
     QTest::newRow("ChArUco on A4") << int(TargetKind::Charuco) << int(QPageSize::A4) << 9 << 6 << 25.0;
     QTest::newRow("ChArUco on A3") << int(TargetKind::Charuco) << int(QPageSize::A3) << 7 << 4 << 45.0;
 }
@@ -102,7 +109,8 @@ void TestTargets::boardIsFoundToScale()
     QVERIFY2(view, view ? "" : view.error().message().c_str());
     QCOMPARE(std::minmax(view->columns, view->rows), std::minmax(columns, rows));
     QCOMPARE(view->pixels.size(), std::size_t(columns * rows));
-    // Every corner lies on the grid that begins in the figure's corner, whichever way round the board was read.
+    // Every corner lies on the grid that begins in the figure's corner, whichever way round the board was
+    // read.
     const QPointF start = sheets->front().figureMm.topLeft();
     for (const Eigen::Vector2d &pixel : view->pixels) {
         const Eigen::Vector2d square = (onPaperMm(pixel) - Eigen::Vector2d(start.x(), start.y())) / squareMm;
@@ -130,8 +138,10 @@ void TestTargets::tagsAreFoundInTheirMiddle()
     for (int i = 0; i < 4; ++i)
         painter.drawImage(cornerOf(i), images[i]);
     painter.end();
-    const double width = one.width() / pixelsAMillimetre / 1000, height = one.height() / pixelsAMillimetre / 1000;
-    MarkerLayout layout{"floor", {{"O", {0, 0}}, {"U", {width, 0}}, {"V", {0, height}}, {"D", {width, height}}}};
+    const double width = one.width() / pixelsAMillimetre / 1000,
+                 height = one.height() / pixelsAMillimetre / 1000;
+    MarkerLayout layout{"floor",
+                        {{"O", {0, 0}}, {"U", {width, 0}}, {"V", {0, height}}, {"D", {width, height}}}};
     const auto found = findMarkers(frameOf(all), layout);
     QVERIFY2(found, found ? "" : found.error().message().c_str());
     QCOMPARE(found->size(), std::size_t(4));
@@ -155,8 +165,8 @@ void TestTargets::ringsAreToScale()
     const QRectF ink = sheets->front().ink.boundingRect();
     QVERIFY(std::abs(ink.width() - 150) < 1e-6 && std::abs(ink.height() - 150) < 1e-6);
     const QPointF middle = sheets->front().figureMm.center();
-    QVERIFY(!sheets->front().ink.contains(middle));                     // the hole
-    QVERIFY(sheets->front().ink.contains(middle + QPointF(56, 0)));     // between 37.5 and 75 mm
+    QVERIFY(!sheets->front().ink.contains(middle));                 // the hole
+    QVERIFY(sheets->front().ink.contains(middle + QPointF(56, 0))); // between 37.5 and 75 mm
 }
 
 void TestTargets::rulerMeasuresAHundredMillimetres()
@@ -183,17 +193,26 @@ void TestTargets::refusesWithReason_data()
     QTest::addColumn<int>("rows");
     QTest::addColumn<double>("sizeMm");
     QTest::addColumn<QString>("message");
-    const int board = int(TargetKind::Checkerboard), charuco = int(TargetKind::Charuco), tags = int(TargetKind::Tags);
+    const int board = int(TargetKind::Checkerboard), charuco = int(TargetKind::Charuco),
+              tags = int(TargetKind::Tags);
     QTest::newRow("too large a board") << board << 9 << 6 << 40.0
-                                       << QStringLiteral("target: 400 by 280 mm do not fit on A4; make the squares 25 mm at most, or take a larger paper");
-    QTest::newRow("too large a tag") << tags << 9 << 6 << 200.0
-                                     << QStringLiteral("target: 250 by 250 mm do not fit on A4; make it 155 mm at most, or take a larger paper");
-    QTest::newRow("two corners") << board << 9 << 2 << 25.0
-                                 << QStringLiteral("target: a board has 3 to 30 inner corners each way; give a size as 9x6");
-    QTest::newRow("even rows of ChArUco") << charuco << 8 << 5 << 25.0
-                                          << QStringLiteral("target: a ChArUco board of 6 rows of squares is numbered in two ways by different programs; "
-                                                            "take an even number of rows of inner corners, as 9x6");
-    QTest::newRow("no size") << board << 9 << 6 << 0.0 << QStringLiteral("target: its size is not a length; give the side of a square, as 25mm");
+                                       << QStringLiteral("target: 400 by 280 mm do not fit on A4; make the "
+                                                         "squares 25 mm at most, or take a larger paper");
+    QTest::newRow("too large a tag")
+        << tags << 9 << 6 << 200.0
+        << QStringLiteral(
+               "target: 250 by 250 mm do not fit on A4; make it 155 mm at most, or take a larger paper");
+    QTest::newRow("two corners")
+        << board << 9 << 2 << 25.0
+        << QStringLiteral("target: a board has 3 to 30 inner corners each way; give a size as 9x6");
+    QTest::newRow("even rows of ChArUco")
+        << charuco << 8 << 5 << 25.0
+        << QStringLiteral(
+               "target: a ChArUco board of 6 rows of squares is numbered in two ways by different programs; "
+               "take an even number of rows of inner corners, as 9x6");
+    QTest::newRow("no size") << board << 9 << 6 << 0.0
+                             << QStringLiteral(
+                                    "target: its size is not a length; give the side of a square, as 25mm");
 }
 
 void TestTargets::refusesWithReason()
@@ -232,7 +251,8 @@ void TestTargets::writesAPageForEachMarker()
 void TestTargets::leavesNothingHalfWritten()
 {
     QTemporaryDir folder;
-    const auto written = writeTargetPdf({}, folder.filePath(QStringLiteral("not there/board.pdf")).toStdString());
+    const auto written =
+        writeTargetPdf({}, folder.filePath(QStringLiteral("not there/board.pdf")).toStdString());
     QVERIFY(!written);
     QCOMPARE(written.error().code, ErrorCode::NotFound);
     QVERIFY(QDir(folder.path()).isEmpty());

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/analysis/task_templates.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/trajectory/task_templates.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/mnemonics.h"
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/stored_example.h"
-#include "ui/testbed/tasks/gate_table.h"
-#include "ui/testbed/tasks/scoring_table.h"
-#include "ui/testbed/tasks/task_canvas.h"
-#include "ui/testbed/tasks/task_editor.h"
+#include "ui/testbed/tasks/internal/part_tables.h"
+#include "ui/testbed/tasks/internal/scoring_table.h"
+#include "ui/testbed/tasks/internal/task_canvas.h"
+#include "ui/testbed/tasks/internal/task_editor.h"
 #include "ui/testbed/tasks/tasks_dialog.h"
-#include "ui/testbed/tasks/template_form.h"
 
 #include <QAccessible>
 #include <QAction>
@@ -193,14 +192,17 @@ void TestTasksDialog::zonesAreWrittenAndDragged()
     QCOMPARE(canvas->currentZone(), 1);
     QVERIFY(zone(1).corners[2].y() > 0.92 && zone(1).corners[0] == before.corners[0]);
     const Zone moved = zone(1);
-    drag(canvas->fromWorld((moved.corners[0] + moved.corners[1]) / 2).toPoint(), {30, 0}); // by an edge: all of it
-    QVERIFY(((zone(1).corners[2] - zone(1).corners[0]) - (moved.corners[2] - moved.corners[0])).norm() < 1e-9);
+    // by an edge: all of it
+    drag(canvas->fromWorld((moved.corners[0] + moved.corners[1]) / 2).toPoint(), {30, 0});
+    QVERIFY(((zone(1).corners[2] - zone(1).corners[0]) - (moved.corners[2] - moved.corners[0])).norm() <
+            1e-9);
     QVERIFY(zone(1).corners[0].x() > moved.corners[0].x() + 0.01);
     const Zone dragged = zone(1);
     QTest::keyClick(canvas, Qt::Key_Left);
     QVERIFY((zone(1).corners[0] - dragged.corners[0] + Eigen::Vector2d(0.01, 0)).norm() < 1e-9);
     QTest::keyClick(canvas, Qt::Key_Plus);
-    QVERIFY((zone(1).corners[2] - zone(1).corners[0]).norm() > (dragged.corners[2] - dragged.corners[0]).norm() + 0.01);
+    QVERIFY((zone(1).corners[2] - zone(1).corners[0]).norm() >
+            (dragged.corners[2] - dragged.corners[0]).norm() + 0.01);
     QTest::keyClick(canvas, Qt::Key_PageDown); // round: the gates come first
     QCOMPARE(canvas->currentGate(), 0);
     QCOMPARE(canvas->currentZone(), -1);
@@ -340,7 +342,8 @@ void TestTasksDialog::aTaskIsArchivedAndRestored()
     QCOMPARE(table->rowCount(), before);
     table->setCurrentCell(0, 0);
     QCOMPARE(table->item(0, 0)->text(), name);
-    QVERIFY2(table->item(0, 2)->text().endsWith(QStringLiteral(", archived")), qPrintable(table->item(0, 2)->text()));
+    QVERIFY2(table->item(0, 2)->text().endsWith(QStringLiteral(", archived")),
+             qPrintable(table->item(0, 2)->text()));
     button(dialog, "Out of the &archive")->click();
     QVERIFY(!m_project->tasks().find(name.toStdString())->archived);
     for (QAction *action : dialog.actions())

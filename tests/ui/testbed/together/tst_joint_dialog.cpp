@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/stored_registration.h"
+#include "core/workflow/calibrate/cameras.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/stored_example.h"
@@ -36,7 +36,8 @@ private:
     std::unique_ptr<JointDialog> open(const std::string &layout)
     {
         auto dialog = std::make_unique<JointDialog>(
-            QString::fromStdString(layout), [this, layout](double tapeSigmaM) -> Result<std::shared_ptr<RegisterJointJob>> {
+            QString::fromStdString(layout),
+            [this, layout](double tapeSigmaM) -> Result<std::shared_ptr<RegisterJointJob>> {
                 m_tapeM = tapeSigmaM;
                 auto job = std::make_shared<RegisterJointJob>(RegisterJointSettings{layout, tapeSigmaM});
                 if (const auto prepared = job->prepare(*m_project); !prepared)
@@ -49,7 +50,9 @@ private:
     /// Numbers of the registrations in force of A and B.
     std::pair<RecordId, RecordId> inForce()
     {
-        const auto of = [&](const char *name) { return (*m_project->cameras().currentRegistration(m_project->cameras().find(name)->id))->id; };
+        const auto of = [&](const char *name) {
+            return (*m_project->cameras().currentRegistration(m_project->cameras().find(name)->id))->id;
+        };
         return {of("A"), of("B")};
     }
 
@@ -69,7 +72,8 @@ void TestJointDialog::showsWhatChangesAndThenStores()
     const auto dialog = open("floor");
     auto *save = button(*dialog, "Save");
     QTRY_VERIFY_WITH_TIMEOUT(save->isEnabled(), patienceMs);
-    auto *cameras = named<QTableWidget>(*dialog, "Cameras"), *markers = named<QTableWidget>(*dialog, "Markers");
+    auto *cameras = named<QTableWidget>(*dialog, "Cameras"),
+         *markers = named<QTableWidget>(*dialog, "Markers");
     QCOMPARE(cameras->rowCount(), 2);
     QCOMPARE(cameras->item(0, 0)->text(), QStringLiteral("A"));
     QVERIFY(cameras->item(1, 2)->text().startsWith(QStringLiteral("±")));
@@ -100,9 +104,11 @@ void TestJointDialog::anotherTapeFitsAgain()
 
 void TestJointDialog::tellsWhatStandsInItsWay()
 {
-    QVERIFY(m_project->layouts().add({"unused", {{"O", {0, 0}}, {"U", {1, 0}}, {"V", {0, 1}}, {"D", {1, 1}}}}));
+    QVERIFY(
+        m_project->layouts().add({"unused", {{"O", {0, 0}}, {"U", {1, 0}}, {"V", {0, 1}}, {"D", {1, 1}}}}));
     const auto dialog = open("unused");
-    QTRY_VERIFY_WITH_TIMEOUT(named<QLabel>(*dialog, "Verdict")->text().contains(QStringLiteral("two are needed")), patienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        named<QLabel>(*dialog, "Verdict")->text().contains(QStringLiteral("two are needed")), patienceMs);
     QVERIFY(!button(*dialog, "Save")->isEnabled());
 }
 

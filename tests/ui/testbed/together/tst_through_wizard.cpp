@@ -5,9 +5,9 @@
 #include "core/video/picture_writer.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
-#include "ui/models/live_cameras.h"
+#include "ui/models/camera_lists.h"
 #include "ui/testbed/floor/marker_canvas.h"
-#include "ui/testbed/floor/picture_choice.h"
+#include "ui/testbed/floor/still_picture.h"
 #include "ui/testbed/together/through_wizard.h"
 
 #include <QApplication>
@@ -49,13 +49,18 @@ private:
     }
     double offM(ThroughWizard &wizard) const
     {
-        return (wizard.page().registration()->registration.worldFromCamera.translation - m_scene.cameras[1].view.cameraInWorld()).norm();
+        return (wizard.page().registration()->registration.worldFromCamera.translation -
+                m_scene.cameras[1].view.cameraInWorld())
+            .norm();
     }
 
     QTemporaryDir m_folder;
-    LiveCameras m_live{[] { return std::vector<CameraDescription>{{.uri = "sim:A", .kind = "simulated", .name = "Simulated"}}; }};
+    LiveCameras m_live{[] {
+        return std::vector<CameraDescription>{{.uri = "sim:A", .kind = "simulated", .name = "Simulated"}};
+    }};
     SimulatedScene m_scene = demoTestbed(1);
-    const std::vector<Eigen::Vector2d> m_places{{0.6, 0.5}, {2.4, 0.5}, {2.4, 1.7}, {0.6, 1.7}, {1.5, 1.1}, {1.5, 0.4}};
+    const std::vector<Eigen::Vector2d> m_places{{0.6, 0.5}, {2.4, 0.5}, {2.4, 1.7},
+                                                {0.6, 1.7}, {1.5, 1.1}, {1.5, 0.4}};
 };
 
 QString TestThroughWizard::picture(int camera, bool withMarkers)
@@ -76,16 +81,20 @@ void TestThroughWizard::initTestCase()
             QVERIFY(!picture(camera, withMarkers).isEmpty());
 }
 
-std::unique_ptr<ThroughWizard> TestThroughWizard::makeWizard(const QString &picture, const QString &throughPicture)
+std::unique_ptr<ThroughWizard> TestThroughWizard::makeWizard(const QString &picture,
+                                                             const QString &throughPicture)
 {
     IntrinsicsRecord lens;
     lens.calibration.intrinsics = m_scene.cameras[1].view.camera().intrinsics();
     const FloorView &truth = m_scene.cameras[0].view;
-    const FloorView view(truth.camera(), truth.worldFromCamera(), Eigen::Matrix<double, 6, 6>::Identity() * 1e-7);
+    const FloorView view(truth.camera(), truth.worldFromCamera(),
+                         Eigen::Matrix<double, 6, 6>::Identity() * 1e-7);
     auto wizard = std::make_unique<ThroughWizard>(
-        std::vector<FloorCamera>{{QStringLiteral("A"), lens, std::nullopt}, {QStringLiteral("B"), lens, std::nullopt}},
-        QStringLiteral("B"), std::vector<CheckCamera>{{QStringLiteral("A"), view, m_scene.floor.markers, std::nullopt}},
-        m_live, [](const QString &, const Frame &) { return Result<void>(); });
+        std::vector<FloorCamera>{{QStringLiteral("A"), lens, std::nullopt},
+                                 {QStringLiteral("B"), lens, std::nullopt}},
+        QStringLiteral("B"),
+        std::vector<CheckCamera>{{QStringLiteral("A"), view, m_scene.floor.markers, std::nullopt}}, m_live,
+        [](const QString &, const Frame &) { return Result<void>(); });
     if (!picture.isEmpty()) {
         wizard->source().picture().setFile(picture);
         wizard->source().throughPicture().setFile(throughPicture);
@@ -121,9 +130,11 @@ void TestThroughWizard::pointsArePutByMouse()
     QVERIFY(says(*wizard, "then the same one in the right picture"));
     for (std::size_t i = 0; i < m_places.size(); ++i) {
         QVERIFY(!page.registration() || i >= 4);
-        QTest::mouseClick(&page.canvas(), Qt::LeftButton, {}, page.canvas().fromPixel(seen(1, m_places[i])).toPoint());
+        QTest::mouseClick(&page.canvas(), Qt::LeftButton, {},
+                          page.canvas().fromPixel(seen(1, m_places[i])).toPoint());
         QCOMPARE(page.points().size(), i); // not yet in the other picture
-        QTest::mouseClick(&page.throughCanvas(), Qt::LeftButton, {}, page.throughCanvas().fromPixel(seen(0, m_places[i])).toPoint());
+        QTest::mouseClick(&page.throughCanvas(), Qt::LeftButton, {},
+                          page.throughCanvas().fromPixel(seen(0, m_places[i])).toPoint());
         QCOMPARE(page.points().size(), i + 1);
     }
     QVERIFY(page.registration());
@@ -144,7 +155,8 @@ void TestThroughWizard::pointsArePutByKeysAlone()
     const auto walk = [&](MarkerCanvas &canvas, const Eigen::Vector2d &to) { // from the middle
         QVERIFY(canvas.hasFocus());
         const Eigen::Vector2d way = to - 0.5 * Eigen::Vector2d(lens.widthPx - 1, lens.heightPx - 1);
-        for (const auto &[pixels, less, more] : {std::tuple(way.x(), Qt::Key_Left, Qt::Key_Right), std::tuple(way.y(), Qt::Key_Up, Qt::Key_Down)}) {
+        for (const auto &[pixels, less, more] : {std::tuple(way.x(), Qt::Key_Left, Qt::Key_Right),
+                                                 std::tuple(way.y(), Qt::Key_Up, Qt::Key_Down)}) {
             const Qt::Key key = pixels < 0 ? less : more;
             const int whole = int(std::lround(std::abs(pixels)));
             for (int i = 0; i < whole / 20; ++i)

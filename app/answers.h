@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/records.h"
+#include "core/trajectory/occlusions.h"
+
+#include <QJsonArray>
+#include <QJsonObject>
+#include <QString>
+#include <QStringList>
+
+namespace odo {
+
+/// The parts that several subcommands print, as docs/command_line.md names them.
+/// What is printed where a call with --json fails.
+QJsonObject errorJson(const Error &error);
+QJsonObject intrinsicsJson(const Intrinsics &intrinsics);
+QJsonObject syncJson(const TrialRecord &trial);
+QJsonObject recordingJson(const RecordingRecord &recording);
+QJsonArray vectorJson(const Eigen::VectorXd &vector);
+QJsonArray metricsJson(const std::vector<Metric> &metrics);
+/// When it could not be told which robot it is: [{from_s, to_s, others[]}].
+QJsonArray doubtsJson(const std::vector<DoubtfulName> &doubts);
+/// When which view did not measure the whole of it: [{from_s, to_s, view, cause, other, reason}].
+QJsonArray occlusionsJson(const std::vector<Occlusion> &occlusions);
+/// Each with its reason among the robot's occlusions.
+QJsonArray spikesJson(const std::vector<Spike> &spikes, const std::vector<Occlusion> &occlusions);
+/// null where there is none.
+QJsonValue optionalJson(const std::optional<double> &value);
+QJsonArray sentencesJson(const std::vector<std::string> &sentences);
+
+/// By the clock on the wall here, to the second: "2026-11-23T15:04:05".
+QString dateText(Instant instant);
+
+/// The value of a metric by its name; 0 where it could not be computed.
+double metricValue(const Profile &profile, std::string_view name);
+
+/// A task with the fields that a task file has (core/exchange/task_file.h), and its name.
+QJsonObject taskJson(const TaskRecord &record);
+
+/// What a task adds to a robot's answer: gates, laps, and path where there is one.
+void insertTaskAnswers(QJsonObject &robot, const Profile &profile);
+
+/// Lines for people: the passages, and the laps with their sectors.
+QStringList taskLines(const Profile &profile);
+/// ", gate time 2.405 s ±0.002 s" and the like; empty without a task.
+QString taskRemark(const Profile &profile);
+
+/// One line for each view but the first: how it was put in step with the first one, and to how much:
+/// "View B: in step to 0.3 ms, found from the motion; begun 413.7 ms later". None for a single view.
+QStringList stepSentences(const std::vector<RecordingRecord> &views);
+
+/// "1 page", "2 pages": for nouns whose plural ends in s.
+template <class Number>
+QString counted(Number count, const QString &noun)
+{
+    return QString::number(count) + u' ' + noun + (count == 1 ? QString() : QStringLiteral("s"));
+}
+
+} // namespace odo

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/answers.h"
+#include "app/command_call.h"
+#include "app/commands/commands.h"
+#include "app/output_options.h"
+#include "core/base/units.h"
+#include "core/capture/camera_source.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/workflow/calibrate/calibrate_job.h"
+#include "core/workflow/calibrate/cameras.h"
+#include "ui/testbed/targets/target_sheet.h"
+
+#include <QJsonArray>
+#include <QMap>
+
+namespace odo {
+
+Result<void> runCamera(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call(
+        {QStringLiteral("camera"),
+         QStringLiteral("add P.odo CAMERA [--device URI]"),
+         3,
+         3,
+         {{option::device, QStringLiteral("Where its pictures come from."), QStringLiteral("URI")}}},
+        cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    if (call.positional(0) != QStringLiteral("add"))
+        return call.wrongCall(QStringLiteral("'%1' is not known").arg(call.positional(0)));
+    const auto project = call.openProject(1, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    const auto added = changing(**project, "add camera " + call.text(2), [&] {
+        return (*project)->cameras().add({0, call.text(2), call.value(option::device)});
+    });
+    if (!added)
+        return tl::unexpected(added.error());
+    const QString name = QString::fromStdString(added->name);
+    call.answer({{QStringLiteral("camera"), name}}, QStringLiteral("Camera %1 added.").arg(name));
+    return {};
+}
+
+namespace {
+
+constexpr qsizetype mostFormatsNamed = 3;
+
+/// The first formats, and how many more there are.
+QString formatWords(const QStringList &formats)
+{
+    const QString words = formats.mid(0, mostFormatsNamed).join(QStringLiteral("; "));
+    const qsizetype more = formats.size() - mostFormatsNamed;
+    return more > 0 ? words + QStringLiteral("; and %1 more (see --json)").arg(more) : words;
+}
+
+} // namespace
+
+Result<void> runCameras(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call({QStringLiteral("cameras"), QStringLiteral("[--json]"), 0, 0, {}}, cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    QJsonArray cameras;
+    QStringList lines;
+    for (const CameraDescription &camera : listCameras()) {
+        const QString uri = QString::fromStdString(camera.uri), name = QString::fromStdString(camera.name);
+        QStringList formats;
+        for (const std::string &format : camera.formats)
+            formats << QString::fromStdString(format);
+        cameras.append(QJsonObject{{QStringLiteral("uri"), uri},
+                                   {QStringLiteral("kind"), QString::fromStdString(camera.kind)},
+                                   {QStringLiteral("name"), name},
+                                   {QStringLiteral("serial"), QString::fromStdString(camera.serial)},
+                                   {QStringLiteral("formats"), QJsonArray::fromStringList(formats)},
+                                   {QStringLiteral("busy"), camera.busy}});
+        QStringList about{name};
+        if (camera.busy)
+            about << QStringLiteral("used by another program");
+        else if (!formats.isEmpty())
+            about << formatWords(formats);
+        lines << QStringLiteral("%1  %2").arg(uri, -20).arg(about.join(QStringLiteral(", ")));
+    }
+    call.answer({{QStringLiteral("cameras"), cameras}}, lines.join(u'\n'));
+    return {};
+}
+
+namespace {
+
+Result<CalibrateSettings> calibrateSettings(const CommandCall &call)
+{
+    CalibrateSettings settings;
+    settings.camera = call.text(1);
+    for (const QString &file : call.positionals().mid(2))
+        settings.files.emplace_back(file.toStdString());
+    if (call.isSet(option::board)) {
+        const auto size = call.sizePair(option::board);
+        if (!size)
+            return tl::unexpected(size.error());
+        settings.board.columns = int(size->first);
+        settings.board.rows = int(size->second);
+        if (settings.board.columns < 3 || settings.board.rows < 3 || settings.board.columns > 100 ||
+            settings.board.rows > 100)
+            return call.wrongCall(QStringLiteral("--board counts inner corners, 3x3 to 100x100"));
+    }
+    if (call.isSet(option::square)) {
+        const auto side = call.lengthM(option::square);
+        if (!side)
+            return tl::unexpected(side.error());
+        settings.board.squareM = *side;
+    }
+    const std::string patternName = call.value(option::pattern);
+    if (patternName == "charuco")
+        settings.board.pattern = BoardPattern::Charuco;
+    else if (patternName == "checkerboard")
+        settings.board.pattern = BoardPattern::Checkerboard;
+    else if (call.isSet(option::pattern))
+        return call.wrongCall(QStringLiteral("--pattern is checkerboard or charuco"));
+    const std::string modelName = call.value(option::model);
+    if (modelName == "standard")
+        settings.model = LensModel::Standard;
+    else if (modelName == "rational")
+        settings.model = LensModel::Rational;
+    else if (modelName == "fisheye")
+        settings.model = LensModel::Fisheye;
+    else if (call.isSet(option::model))
+        return call.wrongCall(QStringLiteral("--model is standard, rational or fisheye"));
+    return settings;
+}
+
+QJsonObject calibrationJson(const CalibrateJob &job)
+{
+    const IntrinsicCalibration &calibration = job.calibration();
+    QJsonArray rejected;
+    for (const RejectedPicture &picture : calibration.rejected)
+        rejected.append(QJsonObject{{QStringLiteral("file"), QString::fromStdString(picture.file)},
+                                    {QStringLiteral("reason"), QString::fromStdString(picture.reason)}});
+    QJsonObject perImage;
+    for (const CalibrationPicture &picture : calibration.pictures)
+        perImage.insert(QString::fromStdString(picture.view.source), picture.rmsPx);
+    QJsonObject answer{{QStringLiteral("camera"), QString::fromStdString(job.settings().camera)},
+                       {QStringLiteral("rms_px"), calibration.rmsPx},
+                       {QStringLiteral("images_used"), qint64(calibration.picturesUsed())},
+                       {QStringLiteral("images_rejected"), rejected},
+                       {QStringLiteral("intrinsics"), intrinsicsJson(calibration.intrinsics)},
+                       {QStringLiteral("per_image_rms_px"), perImage},
+                       {QStringLiteral("crossvalidation_px"), calibration.crossValidationPx},
+                       {QStringLiteral("lens_reason"), QString::fromStdString(calibration.lensReason)},
+                       {QStringLiteral("corners_left_out"), qint64(calibration.cornersLeftOut())},
+                       {QStringLiteral("corners_disagreeing"), calibration.disagreeingPart},
+                       {QStringLiteral("verdict"), QString::fromStdString(calibration.verdict)}};
+    if (calibration.onFloor)
+        answer.insert(
+            QStringLiteral("on_floor_mm"),
+            QJsonObject{{QStringLiteral("middle"), toMillimetres(calibration.onFloor->middleM)},
+                        {QStringLiteral("worst"), toMillimetres(calibration.onFloor->worstM)},
+                        {QStringLiteral("where"), QString::fromStdString(calibration.onFloor->worstWhere)}});
+    return answer;
+}
+
+} // namespace
+
+Result<void> runCalibrate(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call(
+        {QStringLiteral("calibrate"),
+         QStringLiteral("P.odo CAMERA IMAGE|VIDEO... [--board 9x6] [--square 25mm] "
+                        "[--pattern checkerboard|charuco] [--model standard|rational|fisheye] [--json]"),
+         3,
+         -1,
+         {{option::board, QStringLiteral("Inner corners; found out when not given."), QStringLiteral("CxR")},
+          {option::square, QStringLiteral("Side of a square."), QStringLiteral("LENGTH")},
+          {option::pattern, QStringLiteral("What is printed on the board; found out when not given."),
+           QStringLiteral("PATTERN")},
+          {option::model,
+           QStringLiteral("How the lens is modelled; the one that foretells best when not given."),
+           QStringLiteral("MODEL")}}},
+        cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    auto settings = calibrateSettings(call);
+    if (!settings)
+        return tl::unexpected(settings.error());
+    const auto project = call.openProject(0, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    CalibrateJob job(std::move(*settings));
+    if (auto done = runToEnd(job, **project, call.control()); !done)
+        return done;
+    call.answer(calibrationJson(job),
+                QStringLiteral("%1\nRMS %2 px over %3; %4 not used.")
+                    .arg(QString::fromStdString(job.calibration().verdict))
+                    .arg(job.calibration().rmsPx, 0, 'f', 3)
+                    .arg(counted(job.calibration().picturesUsed(), QStringLiteral("picture")))
+                    .arg(job.calibration().rejected.size()));
+    return {};
+}
+
+Result<void> runIntrinsics(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call({QStringLiteral("intrinsics"),
+                      QStringLiteral("import P.odo CAMERA FILE | export P.odo CAMERA FILE [--force]"),
+                      4,
+                      4,
+                      {forceOption()}},
+                     cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    const bool importing = call.positional(0) == QStringLiteral("import");
+    if (!importing && call.positional(0) != QStringLiteral("export"))
+        return call.wrongCall(QStringLiteral("'%1' is neither import nor export").arg(call.positional(0)));
+    const auto project =
+        call.openProject(1, importing ? Project::Access::ReadWrite : Project::Access::ReadOnly);
+    if (!project)
+        return tl::unexpected(project.error());
+    QJsonObject json{{QStringLiteral("camera"), call.positional(2)},
+                     {QStringLiteral("file"), call.positional(3)}};
+    if (importing) {
+        const auto record = importIntrinsics(**project, call.text(2), call.text(3));
+        if (!record)
+            return tl::unexpected(record.error());
+        json.insert(QStringLiteral("intrinsics"), intrinsicsJson(record->calibration.intrinsics));
+    } else {
+        const auto target = outputOf(call, call.text(3), FileKind::Yaml, project->get());
+        if (!target)
+            return tl::unexpected(target.error());
+        if (auto written = exportIntrinsics(**project, call.text(2), *target); !written)
+            return written;
+    }
+    call.answer(json, importing ? QStringLiteral("Camera %1 has new intrinsics.").arg(call.positional(2))
+                                : QStringLiteral("Wrote %1.").arg(call.positional(3)));
+    return {};
+}
+
+namespace {
+
+Result<TargetSpec> targetFrom(const CommandCall &call)
+{
+    static const QMap<QString, TargetKind> kinds{{QStringLiteral("checkerboard"), TargetKind::Checkerboard},
+                                                 {QStringLiteral("charuco"), TargetKind::Charuco},
+                                                 {QStringLiteral("tags"), TargetKind::Tags},
+                                                 {QStringLiteral("rings"), TargetKind::Rings}};
+    static const QMap<QString, QPageSize::PageSizeId> papers{{QStringLiteral("a4"), QPageSize::A4},
+                                                             {QStringLiteral("letter"), QPageSize::Letter},
+                                                             {QStringLiteral("a3"), QPageSize::A3}};
+    TargetSpec spec;
+    if (!kinds.contains(call.positional(0)))
+        return call.wrongCall(
+            QStringLiteral("'%1' is not checkerboard, charuco, tags or rings").arg(call.positional(0)));
+    spec.kind = kinds.value(call.positional(0));
+    const QString paper = QString::fromStdString(call.value(option::paper)).toLower();
+    if (!papers.contains(paper))
+        return call.wrongCall(QStringLiteral("--paper is a4, letter or a3"));
+    spec.paper = papers.value(paper);
+    const auto board = call.sizePair(option::board);
+    const auto square = call.lengthM(option::square), size = call.lengthM(option::size);
+    if (!board)
+        return tl::unexpected(board.error());
+    if (!square || !size)
+        return tl::unexpected(square ? size.error() : square.error());
+    spec.columns = int(board->first);
+    spec.rows = int(board->second);
+    spec.squareM = *square;
+    spec.markerM = *size;
+    spec.labels.clear();
+    for (const QString &label :
+         QString::fromStdString(call.value(option::labels)).split(QLatin1Char(','), Qt::SkipEmptyParts))
+        spec.labels << label.trimmed();
+    return spec;
+}
+
+} // namespace
+
+Result<void> runTarget(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call(
+        {QStringLiteral("target"),
+         QStringLiteral("checkerboard|charuco|tags|rings -o FILE.pdf [--force] [--paper a4|letter|a3] "
+                        "[--board 9x6] [--square 25mm] "
+                        "[--size 150mm] [--labels O,U,V,D]"),
+         1, 1,
+         outputOptions(QStringLiteral("The PDF to write.")) +
+             QList<QCommandLineOption>{
+                 {option::paper, QStringLiteral("What it is printed on."), QStringLiteral("PAPER"),
+                  QStringLiteral("a4")},
+                 {option::board, QStringLiteral("Inner corners of a board."), QStringLiteral("CxR"),
+                  QStringLiteral("9x6")},
+                 {option::square, QStringLiteral("Side of a square of a board."), QStringLiteral("LENGTH"),
+                  QStringLiteral("25mm")},
+                 {option::size, QStringLiteral("Side of a tag's black square, diameter of a ring."),
+                  QStringLiteral("LENGTH"), QStringLiteral("150mm")},
+                 {option::labels, QStringLiteral("Of the floor markers, in the order of the layout."),
+                  QStringLiteral("LABELS"), QStringLiteral("O,U,V,D")}}},
+        cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    if (!call.isSet(option::output))
+        return call.wrongCall(QStringLiteral("-o is missing"));
+    const auto spec = targetFrom(call);
+    if (!spec)
+        return tl::unexpected(spec.error());
+    const QString file = QString::fromStdString(call.value(option::output));
+    const auto target = outputOf(call, call.value(option::output), FileKind::Pdf, nullptr);
+    if (!target)
+        return tl::unexpected(target.error());
+    if (auto written = writeTargetPdf(*spec, *target); !written)
+        return written;
+    call.answer({{QStringLiteral("file"), file},
+                 {QStringLiteral("sheets"), isBoard(spec->kind) ? 1 : int(spec->labels.size())}},
+                QStringLiteral("Wrote %1. Print it at 100 % and check its ruler.").arg(file));
+    return {};
+}
+
+} // namespace odo

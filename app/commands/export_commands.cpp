@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_call.h"
+#include "app/commands/commands.h"
+#include "app/output_options.h"
+#include "app/workbench.h"
+#include "core/exchange/track_export.h"
+#include "core/exchange/trial_json.h"
+#include "core/files/output_file.h"
+#include "core/project/repositories.h"
+#include "core/workflow/trial_sources.h"
+#include "ui/report/annotated_video.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+namespace odo {
+
+/// The options of `export --format video`, for its syntax.
+QList<QCommandLineOption> videoOptions();
+/// Makes the annotated video of a trial and answers. Needs a QGuiApplication.
+Result<void> exportVideo(const CommandCall &call, const std::string &file);
+
+namespace {
+
+Result<AnnotatedVideoSettings> settingsOf(const CommandCall &call)
+{
+    AnnotatedVideoSettings settings;
+    const auto wantedSize = call.sizePair(option::size);
+    if (!wantedSize)
+        return tl::unexpected(wantedSize.error());
+    settings.sizePx = QSize(static_cast<int>(wantedSize->first), static_cast<int>(wantedSize->second));
+    if (!AnnotatedVideoSettings::isSize(settings.sizePx))
+        return call.wrongCall(QStringLiteral("--size has even numbers, from 320x180 to 3840x2160"));
+    const auto wantedSpeed = call.number(option::speed);
+    if (!wantedSpeed)
+        return tl::unexpected(wantedSpeed.error());
+    if (!AnnotatedVideoSettings::isSpeed(*wantedSpeed))
+        return call.wrongCall(QStringLiteral("--speed is from 0.1 to 1"));
+    settings.speed = *wantedSpeed;
+    const std::string themeName = call.value(option::theme);
+    if (themeName != "light" && themeName != "dark")
+        return call.wrongCall(QStringLiteral("--theme is light or dark"));
+    settings.isDark = themeName == "dark";
+    return settings;
+}
+
+} // namespace
+
+QList<QCommandLineOption> videoOptions()
+{
+    return {{option::speed, QStringLiteral("Of a video, times that of the run: 0.1 to 1."),
+             QStringLiteral("S"), QStringLiteral("1")},
+            {option::size, QStringLiteral("Of a video, in pixels."), QStringLiteral("WxH"),
+             QStringLiteral("1920x1080")},
+            {option::theme, QStringLiteral("Of a video: light or dark."), QStringLiteral("THEME"),
+             QStringLiteral("light")},
+            languageOption()};
+}
+
+Result<void> exportVideo(const CommandCall &call, const std::string &file)
+{
+    auto settings = settingsOf(call);
+    if (!settings)
+        return tl::unexpected(settings.error());
+    if (auto applied = applyLanguage(call); !applied)
+        return applied;
+    const auto project = call.openProject(0, Project::Access::ReadOnly);
+    if (!project)
+        return tl::unexpected(project.error());
+    auto target = outputOf(call, file, std::nullopt, project->get()); // the job knows its kind
+    if (!target)
+        return tl::unexpected(target.error());
+    settings->target = std::move(*target);
+    AnnotatedVideoJob job(call.text(1), *settings);
+    if (auto made = runToEnd(job, **project, call.control()); !made)
+        return made;
+    const QString name = QString::fromStdString(file);
+    call.answer({{QStringLiteral("file"), name},
+                 {QStringLiteral("format"), QStringLiteral("video")},
+                 {QStringLiteral("pictures"), job.pictureCount()},
+                 {QStringLiteral("duration_s"), job.durationS()}},
+                QStringLiteral("Wrote %1: %2 s.").arg(name, QString::number(job.durationS(), 'f', 1)));
+    return {};
+}
+
+namespace {
+
+/// The one robot whose track the file is to hold.
+Result<const AnalysisRecord *> chosenRobot(const std::vector<AnalysisRecord> &analyses,
+                                           const std::string &trial, const std::string &name)
+{
+    std::string names;
+    for (const AnalysisRecord &analysis : analyses) {
+        if (analysis.robotName == name || (name.empty() && analyses.size() == 1))
+            return &analysis;
+        names += (names.empty() ? "'" : ", '") + analysis.robotName + "'";
+    }
+    const std::string what = "export of trial '" + trial + "'";
+    if (analyses.empty())
+        return fail(ErrorCode::NotFound, what, "it has not been tracked yet", "run odograph track first");
+    if (name.empty())
+        return fail(ErrorCode::Undetermined, what, "it has several robots: " + names,
+                    "choose one with --robot");
+    return fail(ErrorCode::NotFound, what, "robot '" + name + "' was not tracked in it, but " + names,
+                "track it, or choose another with --robot");
+}
+
+/// Writes the file's text to a sink; made first, for the choice of robot and style may be wrong.
+using WriteText = std::function<Result<void>(const TextSink &)>;
+
+Result<WriteText> fileText(const CommandCall &call, const std::string &formatName, const TrialRecord &trial,
+                           const std::vector<RecordingRecord> &recordings,
+                           const std::vector<AnalysisRecord> &analyses,
+                           const std::vector<ImportedTrack> &imported)
+{
+    const auto chosen = chosenRobot(analyses, trial.name, call.value(option::robot));
+    if (formatName == "json" && !call.isSet(option::robot) && !analyses.empty())
+        return
+            [&](const TextSink &sink) { return writeTrialJson(trial, recordings, analyses, imported, sink); };
+    if (!chosen)
+        return tl::unexpected(chosen.error());
+    const AnalysisRecord &analysis = **chosen;
+    if (formatName == "json")
+        return [&](const TextSink &sink) {
+            return writeTrialJson(trial, recordings, {&analysis, 1}, imported, sink);
+        };
+    if (formatName == "tum")
+        return [&](const TextSink &sink) { return writeTrackTum(analysis, sink); };
+    if (formatName == "tracker")
+        return [&](const TextSink &sink) { return writeTrackTracker(analysis, sink); };
+    const auto style = parseCsvStyle(call.value(option::csvStyle));
+    if (!style)
+        return call.wrongCall(QStringLiteral("--csv-style is analysis, international or continental"));
+    return [&analysis, style = *style](const TextSink &sink) { return writeTrackCsv(analysis, style, sink); };
+}
+
+constexpr const char *standardOutput = "-"; // in place of a file
+
+Result<void> print(std::string_view piece)
+{
+    if (std::fwrite(piece.data(), 1, piece.size(), stdout) == piece.size())
+        return {};
+    return fail(ErrorCode::Io, "standard output",
+                std::string("it cannot be written (") + std::strerror(errno) + ")",
+                "give it to a program or a file that takes all of it");
+}
+
+} // namespace
+
+Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call(
+        {QStringLiteral("export"),
+         QStringLiteral("P.odo TRIAL -o FILE [--force] [--robot R] [--format csv|tum|json|tracker|video] "
+                        "[--csv-style analysis|international|continental] "
+                        "[--speed 0.25] [--size 1920x1080] [--theme light|dark]"),
+         2, 2,
+         outputOptions(QStringLiteral("The file to write; - is standard output.")) +
+             QList<QCommandLineOption>{
+                 {option::robot, QStringLiteral("The robot, where there are several."), QStringLiteral("R")},
+                 {option::format, QStringLiteral("Of the file."), QStringLiteral("FORMAT"),
+                  QStringLiteral("csv")},
+                 {option::csvStyle, QStringLiteral("For which program."), QStringLiteral("STYLE"),
+                  QStringLiteral("analysis")}} +
+             videoOptions()},
+        cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    if (!call.isSet(option::output))
+        return call.wrongCall(QStringLiteral("-o is missing"));
+    static const std::vector<std::string> formats = {"csv", "tum", "json", "tracker", "video"};
+    const std::string formatName = call.value(option::format);
+    if (std::find(formats.begin(), formats.end(), formatName) == formats.end())
+        return call.wrongCall(QStringLiteral("--format is csv, tum, json, tracker or video"));
+    const bool isPrinted = call.value(option::output) == standardOutput;
+    if (isPrinted && formatName == "video")
+        return call.wrongCall(QStringLiteral("a video needs a file, not standard output"));
+    if (isPrinted && call.json())
+        return call.wrongCall(QStringLiteral("-o - and --json would both write to standard output"));
+    if (formatName == "video")
+        return exportVideo(call, call.value(option::output));
+    const auto project = call.openProject(0, Project::Access::ReadOnly);
+    if (!project)
+        return tl::unexpected(project.error());
+    // the text tells its kind
+    const auto target = isPrinted ? Result<OutputTarget>()
+                                  : outputOf(call, call.value(option::output), std::nullopt, project->get());
+    if (!target)
+        return tl::unexpected(target.error());
+    const auto trial = (*project)->trials().find(call.text(1));
+    if (!trial)
+        return tl::unexpected(trial.error());
+    const auto recordings = (*project)->trials().recordings(trial->id);
+    if (!recordings)
+        return tl::unexpected(recordings.error());
+    const auto analyses = (*project)->analyses().current(trial->id);
+    if (!analyses)
+        return tl::unexpected(analyses.error());
+    const auto imported = importedTracksOf(**project, *trial);
+    if (!imported)
+        return tl::unexpected(imported.error());
+    const auto text = fileText(call, formatName, *trial, *recordings, *analyses, *imported);
+    if (!text)
+        return tl::unexpected(text.error());
+    const WriteText untilCancelled = [&](const TextSink &sink) {
+        return (*text)([&](std::string_view piece) {
+            return cancel.isCancelled() ? Result<void>(cancelled("export of trial '" + trial->name + "'"))
+                                        : sink(piece);
+        });
+    };
+    if (isPrinted)
+        return untilCancelled(print);
+    if (auto written = writeOutput(*target, untilCancelled); !written)
+        return written;
+    const QString file = QString::fromStdString(call.value(option::output));
+    call.answer(
+        {{QStringLiteral("file"), file}, {QStringLiteral("format"), QString::fromStdString(formatName)}},
+        QStringLiteral("Wrote %1.").arg(file));
+    return {};
+}
+
+namespace {
+
+constexpr double smallestPx = 200, largestPx = 4000;
+
+Result<OutputTarget> targetOf(const CommandCall &call)
+{
+    const auto project = call.openProject(0, Project::Access::ReadOnly); // closed again: the window opens it
+    if (!project)
+        return tl::unexpected(project.error());
+    return outputOf(call, call.value(option::output), std::nullopt, project->get());
+}
+
+} // namespace
+
+Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call(
+        {QStringLiteral("snapshot"),
+         QStringLiteral("P.odo TRIAL -o picture.png [--force] [--mode review|compare|history|testbed] "
+                        "[--size 1600x1000] [--language en]"),
+         2, 2,
+         outputOptions(QStringLiteral("The picture to write.")) +
+             QList<QCommandLineOption>{{option::mode, QStringLiteral("What the window shows."),
+                                        QStringLiteral("MODE"), QStringLiteral("review")},
+                                       {option::size, QStringLiteral("Of the window, in pixels."),
+                                        QStringLiteral("WxH"), QStringLiteral("1600x1000")},
+                                       languageOption()}},
+        cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    if (!call.isSet(option::output))
+        return call.wrongCall(QStringLiteral("-o is missing"));
+    const auto wanted = call.sizePair(option::size);
+    if (!wanted)
+        return tl::unexpected(wanted.error());
+    const auto inRange = [](double px) { return px >= smallestPx && px <= largestPx; };
+    if (!inRange(wanted->first) || !inRange(wanted->second))
+        return call.wrongCall(QStringLiteral("--size is from 200x200 to 4000x4000"));
+    const auto shown = modeFromWord(QString::fromStdString(call.value(option::mode)));
+    if (!shown || *shown == WindowMode::Record) // which shows no trial
+        return call.wrongCall(QStringLiteral("--mode is review, compare, history or testbed"));
+    if (auto applied = applyLanguage(call); !applied)
+        return applied;
+    const auto target = targetOf(call);
+    if (!target)
+        return tl::unexpected(target.error());
+    auto painted = paintWorkbench(call.text(0), call.text(1), *shown,
+                                  QSize(int(wanted->first), int(wanted->second)), *target, cancel);
+    if (!painted)
+        return painted;
+    const QString file = QString::fromStdString(call.value(option::output));
+    call.answer({{QStringLiteral("picture"), file}}, QStringLiteral("Wrote %1.").arg(file));
+    return {};
+}
+
+} // namespace odo

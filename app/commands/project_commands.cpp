@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/answers.h"
+#include "app/command_call.h"
+#include "app/commands/commands.h"
+#include "app/workbench.h"
+#include "core/project/names.h"
+#include "core/project/repositories.h"
+#include "core/workflow/demo.h"
+#include "core/workflow/media_repair.h"
+
+#include <QJsonArray>
+
+namespace odo {
+
+Result<void> runNew(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call(
+        {QStringLiteral("new"),
+         QStringLiteral("P.odo [--title TEXT]"),
+         1,
+         1,
+         {{QStringLiteral("title"), QStringLiteral("What the project is called."), QStringLiteral("TEXT")}}},
+        cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    const std::filesystem::path file = call.text(0);
+    const std::string title =
+        call.isSet(QStringLiteral("title")) ? call.value(QStringLiteral("title")) : titleFromName(file);
+    const auto project = Project::create(file, title);
+    if (!project)
+        return tl::unexpected(project.error());
+    const auto stored = (*project)->title();
+    if (!stored)
+        return tl::unexpected(stored.error());
+    call.answer({{QStringLiteral("project"), call.positional(0)},
+                 {QStringLiteral("title"), QString::fromStdString(*stored)}},
+                QStringLiteral("Made %1.").arg(call.positional(0)));
+    return {};
+}
+
+Result<void> runDemo(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call({QStringLiteral("demo"),
+                      QStringLiteral("DIR [--open]"),
+                      1,
+                      1,
+                      {{option::open, QStringLiteral("Open the workbench with it.")}}},
+                     cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    const auto file = makeDemo(call.text(0), call.control());
+    if (!file)
+        return tl::unexpected(file.error());
+    const QString path = QString::fromStdString(file->string());
+    call.answer({{QStringLiteral("project"), path}}, QStringLiteral("The demo lesson is in %1.").arg(path));
+    if (call.isSet(option::open))
+        runWorkbench(*file);
+    return {};
+}
+
+/// The options of odograph check that change something.
+QList<QCommandLineOption> repairOptions();
+/// Whether any of them is set.
+bool asksForRepairs(const CommandCall &call);
+
+/// What was done about files that are lost or belong to nobody.
+struct MediaRepairs
+{
+    QJsonObject json;
+    QStringList lines;
+};
+/// As the options ask: finds lost videos by their content, makes trials of stray ones, removes stray files.
+/// The project is open to write.
+Result<MediaRepairs> repairMedia(const CommandCall &call, Project &project);
+
+namespace {
+
+Result<void> findLost(const CommandCall &call, Project &project, MediaRepairs &repairs)
+{
+    RelinkJob job(call.value(option::find));
+    const auto done = runToEnd(job, project, call.control());
+    if (!done && done.error().code != ErrorCode::NotFound)
+        return done;
+    if (!done)
+        CommandCall::warn(done.error().message());
+    repairs.json.insert(QStringLiteral("found"), qint64(job.foundCount()));
+    repairs.lines << QStringLiteral("Lost videos found by their content: %1 of %2")
+                         .arg(job.foundCount())
+                         .arg(job.lostCount());
+    return {};
+}
+
+Result<void> adopt(const CommandCall &call, Project &project, const FindStraysJob &found,
+                   MediaRepairs &repairs)
+{
+    AdoptStraysJob job(found.videos());
+    if (auto done = runToEnd(job, project, call.control()); !done)
+        return done;
+    QJsonArray trials;
+    for (const std::string &name : job.trials()) {
+        trials.append(QString::fromStdString(name));
+        repairs.lines << QStringLiteral("Trial %1 added").arg(QString::fromStdString(name));
+    }
+    repairs.json.insert(QStringLiteral("adopted"), trials);
+    for (const Error &failure : job.failures())
+        CommandCall::warn(failure.message());
+    return {};
+}
+
+Result<void> remove(const CommandCall &call, Project &project, const FindStraysJob &found,
+                    MediaRepairs &repairs)
+{
+    RemoveStraysJob job(found.strays());
+    if (auto done = runToEnd(job, project, call.control()); !done)
+        return done;
+    QJsonArray files;
+    for (const std::filesystem::path &file : job.removed()) {
+        files.append(QString::fromStdString(file.string()));
+        repairs.lines << QStringLiteral("File %1 removed").arg(QString::fromStdString(file.string()));
+    }
+    for (const std::filesystem::path &file : found.others())
+        repairs.lines << QStringLiteral("File %1 stays").arg(QString::fromStdString(file.string()));
+    repairs.json.insert(QStringLiteral("removed"), files);
+    return {};
+}
+
+} // namespace
+
+QList<QCommandLineOption> repairOptions()
+{
+    return {
+        {option::find,
+         QStringLiteral(
+             "Finds lost videos in this folder or below, by size and content, and takes them from there."),
+         QStringLiteral("FOLDER")},
+        {option::adopt, QStringLiteral("Makes trials of videos in the media folder that belong to none.")},
+        {option::removeStrays,
+         QStringLiteral("Removes the files in the media folder that belong to nothing in the project.")}};
+}
+
+bool asksForRepairs(const CommandCall &call)
+{
+    return call.isSet(option::find) || call.isSet(option::adopt) || call.isSet(option::removeStrays);
+}
+
+Result<MediaRepairs> repairMedia(const CommandCall &call, Project &project)
+{
+    MediaRepairs repairs;
+    if (call.isSet(option::find)) {
+        if (auto found = findLost(call, project, repairs); !found)
+            return tl::unexpected(found.error());
+    }
+    for (const auto &[name, mend] :
+         {std::pair{option::adopt, &adopt}, std::pair{option::removeStrays, &remove}}) {
+        if (!call.isSet(name))
+            continue;
+        FindStraysJob strays;
+        auto done = runToEnd(strays, project, call.control());
+        if (done)
+            done = mend(call, project, strays, repairs);
+        if (!done)
+            return tl::unexpected(done.error());
+    }
+    return repairs;
+}
+
+namespace {
+
+/// What was repaired before the check was stopped stays repaired.
+tl::unexpected<Error> stopped(Error error, bool repairs)
+{
+    if (repairs && error.code == ErrorCode::Cancelled)
+        error.advice = "what was repaired until then is kept";
+    return tl::unexpected(std::move(error));
+}
+
+} // namespace
+
+Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel)
+{
+    const QString quick = QStringLiteral("quick");
+    QList<QCommandLineOption> options = repairOptions();
+    options.prepend(
+        {quick,
+         QStringLiteral("leave out the content of the recordings, and metrics that their digests prove")});
+    CommandCall call({QStringLiteral("check"),
+                      QStringLiteral("P.odo [--quick] [--find FOLDER] [--adopt] [--remove-strays] [--json]"),
+                      1, 1, options},
+                     cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    const bool repairs = asksForRepairs(call);
+    const auto project =
+        call.openProject(0, repairs ? Project::Access::ReadWrite : Project::Access::ReadOnly);
+    if (!project)
+        return tl::unexpected(project.error());
+    const auto repaired = repairs ? repairMedia(call, **project) : MediaRepairs();
+    if (!repaired)
+        return stopped(repaired.error(), repairs);
+    const auto problems = (*project)->check(!call.isSet(quick), call.control());
+    if (!problems)
+        return stopped(problems.error(), repairs);
+    const auto unproved = (*project)->analyses().countWithoutDigest();
+    if (!unproved)
+        return tl::unexpected(unproved.error());
+    QJsonArray list;
+    QStringList lines = repaired->lines;
+    QJsonObject json = repaired->json;
+    for (const ProjectProblem &problem : *problems) {
+        list.append(QJsonObject{{QStringLiteral("what"), QString::fromStdString(problem.what)},
+                                {QStringLiteral("where"), QString::fromStdString(problem.where)},
+                                {QStringLiteral("advice"), QString::fromStdString(problem.advice)}});
+        lines << QString::fromStdString(problem.where + ": " + problem.what + "; " + problem.advice);
+    }
+    if (problems->empty())
+        lines << QStringLiteral("All is well.");
+    if (*unproved > 0)
+        lines << QStringLiteral("Analyses without a digest: %1. Each was made by an older Odograph, or its "
+                                "digest was removed. Analysing a trial again adds one.")
+                     .arg(*unproved);
+    json.insert(QStringLiteral("ok"), problems->empty());
+    json.insert(QStringLiteral("problems"), list);
+    json.insert(QStringLiteral("without_digest"), qint64(*unproved));
+    call.answer(json, lines.join(u'\n'));
+    if (!problems->empty())
+        return fail(ErrorCode::InvalidInput, "check of '" + call.text(0) + "'",
+                    counted(problems->size(), QStringLiteral("problem")).toStdString() + " found",
+                    "follow the advice given with each");
+    return {};
+}
+
+} // namespace odo

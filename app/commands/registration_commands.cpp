@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/answers.h"
+#include "app/command_call.h"
+#include "app/commands/commands.h"
+#include "core/exchange/labelled_points.h"
+#include "core/project/repositories.h"
+#include "core/workflow/calibrate/moved_job.h"
+#include "core/workflow/calibrate/register_job.h"
+#include "core/workflow/calibrate/revisions.h"
+
+namespace odo {
+
+namespace {
+
+QJsonObject registrationJson(const std::string &cameraName, const std::string &layoutName,
+                             const FloorRegistration &registration)
+{
+    QJsonArray markers;
+    for (const MarkerError &marker : registration.markers)
+        markers.append(QJsonObject{{QStringLiteral("label"), QString::fromStdString(marker.label)},
+                                   {QStringLiteral("error_mm"), toMillimetres(marker.errorM)}});
+    const Eigen::Vector3d position = registration.worldFromCamera.translation;
+    return {{QStringLiteral("camera"), QString::fromStdString(cameraName)},
+            {QStringLiteral("layout"), QString::fromStdString(layoutName)},
+            {QStringLiteral("rms_px"), registration.rmsPx},
+            {QStringLiteral("rms_mm"), toMillimetres(registration.rmsM)},
+            {QStringLiteral("camera_position_m"), vectorJson(position)},
+            {QStringLiteral("height_above_floor_m"), position.z()},
+            {QStringLiteral("markers"), markers},
+            {QStringLiteral("verdict"), QString::fromStdString(registration.verdict)}};
+}
+
+/// "LABEL=U,V" of each --hint.
+Result<std::vector<MarkerPixel>> hintsOf(const CommandCall &call)
+{
+    const auto pairs = call.pairs(option::hint);
+    if (!pairs)
+        return tl::unexpected(pairs.error());
+    std::vector<MarkerPixel> hints;
+    for (const auto &[label, place] : *pairs) {
+        const auto comma = place.find(',');
+        const auto u = parseNumber(place.substr(0, comma));
+        const auto v = comma == std::string::npos ? u : parseNumber(place.substr(comma + 1));
+        if (comma == std::string::npos || !u || !v)
+            return call.wrongCall(QStringLiteral("--hint takes LABEL=U,V"));
+        hints.push_back({label, {*u, *v}});
+    }
+    return hints;
+}
+
+Result<void> registerByMarkers(CommandCall &call)
+{
+    auto hints = hintsOf(call);
+    if (!hints)
+        return tl::unexpected(hints.error());
+    const RegisterSettings settings{call.value(option::camera),
+                                    call.value(option::layout),
+                                    call.value(option::pixels),
+                                    call.isSet(option::image) ? call.value(option::image)
+                                                              : call.value(option::video),
+                                    {},
+                                    {},
+                                    std::move(*hints)};
+    const auto project = call.openProject(0, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    RegisterJob job(settings);
+    if (auto done = runToEnd(job, **project, call.control()); !done)
+        return done;
+    const FloorRegistration &registration = job.record().registration;
+    call.answer(registrationJson(settings.camera, settings.layout, registration),
+                QString::fromStdString(registration.verdict));
+    return {};
+}
+
+Result<void> registerThroughCamera(CommandCall &call)
+{
+    const auto points = readSharedPointsCsv(call.value(option::pixels));
+    if (!points)
+        return tl::unexpected(points.error());
+    const RegisterThroughSettings settings{call.value(option::camera), call.value(option::through), *points};
+    const auto project = call.openProject(0, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    RegisterThroughJob job(settings);
+    if (auto done = runToEnd(job, **project, call.control()); !done)
+        return done;
+    const FloorRegistration &registration = job.record().registration;
+    QJsonObject answer = registrationJson(settings.camera, job.layoutName(), registration);
+    answer.insert(QStringLiteral("through"), QString::fromStdString(settings.through));
+    call.answer(answer, QString::fromStdString(registration.verdict));
+    return {};
+}
+
+Result<void> registerAgain(CommandCall &call)
+{
+    const auto project = call.openProject(0, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    const auto record = registerWithLensInForce(**project, call.value(option::camera));
+    if (!record)
+        return tl::unexpected(record.error());
+    const auto used = (*project)->layouts().get(record->layout);
+    if (!used)
+        return tl::unexpected(used.error());
+    call.answer(registrationJson(call.value(option::camera), used->layout.name, record->registration),
+                QString::fromStdString(record->registration.verdict));
+    return {};
+}
+
+Result<void> registerTogether(CommandCall &call)
+{
+    RegisterJointSettings settings{call.value(option::layout)};
+    if (call.isSet(option::tape)) {
+        const auto sigma = call.lengthM(option::tape);
+        if (!sigma)
+            return tl::unexpected(sigma.error());
+        settings.tapeSigmaM = *sigma;
+    }
+    const auto project = call.openProject(0, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    RegisterJointJob job(settings);
+    if (auto done = runToEnd(job, **project, call.control()); !done)
+        return done;
+    const JointRegistration &outcome = job.joint();
+    QJsonArray cameras, markers;
+    QStringList lines;
+    for (std::size_t i = 0; i < outcome.registrations.size(); ++i) {
+        const FloorRegistration &registration = outcome.registrations[i];
+        cameras.append(registrationJson(job.cameras()[i], settings.layout, registration));
+        lines << QString::fromStdString(job.cameras()[i] + ": ±" +
+                                        formatNumber(toMillimetres(registration.floorSigmaM), 1) +
+                                        " mm among the markers, which fit to " +
+                                        formatNumber(toMillimetres(registration.rmsM), 1) + " mm RMS.");
+    }
+    for (const JointMarker &marker : outcome.markers)
+        markers.append(
+            QJsonObject{{QStringLiteral("label"), QString::fromStdString(marker.label)},
+                        {QStringLiteral("cameras"), marker.cameras},
+                        {QStringLiteral("off_x_mm"), toMillimetres(marker.offM.x())},
+                        {QStringLiteral("off_y_mm"), toMillimetres(marker.offM.y())},
+                        {QStringLiteral("sigma_x_mm"), toMillimetres(std::sqrt(marker.covariance(0, 0)))},
+                        {QStringLiteral("sigma_y_mm"), toMillimetres(std::sqrt(marker.covariance(1, 1)))},
+                        {QStringLiteral("suspicious"), marker.isSuspicious}});
+    lines << QString::fromStdString(outcome.verdict);
+    call.answer({{QStringLiteral("layout"), QString::fromStdString(settings.layout)},
+                 {QStringLiteral("cameras"), cameras},
+                 {QStringLiteral("markers"), markers},
+                 {QStringLiteral("rms_px"), outcome.rmsPx},
+                 {QStringLiteral("verdict"), QString::fromStdString(outcome.verdict)}},
+                lines.join(u'\n'));
+    return {};
+}
+
+} // namespace
+
+Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call(
+        {QStringLiteral("register"),
+         QStringLiteral("P.odo --camera CAMERA (--layout NAME [--pixels pixels.csv | --image F.png | --video "
+                        "F.mp4 [--hint LABEL=U,V]...] | "
+                        "--through CAMERA --pixels pairs.csv | --again) [--json], or P.odo --joint --layout "
+                        "NAME [--tape 2mm] [--json]"),
+         1,
+         1,
+         {{option::camera, QStringLiteral("The camera to register."), QStringLiteral("CAMERA")},
+          {option::layout, QStringLiteral("The marker layout it sees."), QStringLiteral("NAME")},
+          {option::through, QStringLiteral("A registered camera that sees the same points of the floor."),
+           QStringLiteral("CAMERA")},
+          {option::pixels,
+           QStringLiteral("Where the markers are: label,u,v; with --through: label,u,v,through_u,through_v."),
+           QStringLiteral("FILE")},
+          {option::image, QStringLiteral("A picture to find them in."), QStringLiteral("FILE")},
+          {option::video, QStringLiteral("A video to find them in."), QStringLiteral("FILE")},
+          {option::again,
+           QStringLiteral("By the markers it was registered with before, with the lens in force now.")},
+          {option::joint,
+           QStringLiteral(
+               "Registers all cameras of the layout together, by the pixels they were registered with.")},
+          {option::tape, QStringLiteral("With --joint: how well the markers' places were measured (2mm)."),
+           QStringLiteral("LENGTH")},
+          {option::hint,
+           QStringLiteral("A marker told by hand, where rings look the same from several sides."),
+           QStringLiteral("LABEL=U,V")}}},
+        cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    if (call.isSet(option::joint)) {
+        for (const QString &other : {option::again, option::camera, option::through, option::pixels,
+                                     option::image, option::video, option::hint}) {
+            if (call.isSet(other))
+                return call.wrongCall(QStringLiteral("--joint and --%1 exclude each other").arg(other));
+        }
+        if (!call.isSet(option::layout))
+            return call.wrongCall(QStringLiteral("--joint needs --layout"));
+        return registerTogether(call);
+    }
+    if (!call.isSet(option::camera))
+        return call.wrongCall(QStringLiteral("--camera is missing"));
+    if (call.isSet(option::again)) {
+        for (const QString &other :
+             {option::layout, option::through, option::pixels, option::image, option::video, option::hint}) {
+            if (call.isSet(other))
+                return call.wrongCall(QStringLiteral("--again and --%1 exclude each other").arg(other));
+        }
+        return registerAgain(call);
+    }
+    if (call.isSet(option::through)) {
+        for (const QString &other : {option::layout, option::image, option::video}) {
+            if (call.isSet(other))
+                return call.wrongCall(QStringLiteral("--through and --%1 exclude each other").arg(other));
+        }
+        if (!call.isSet(option::pixels))
+            return call.wrongCall(QStringLiteral("--through needs --pixels"));
+        return registerThroughCamera(call);
+    }
+    if (!call.isSet(option::layout))
+        return call.wrongCall(QStringLiteral("--layout is missing"));
+    if (call.isSet(option::image) && call.isSet(option::video))
+        return call.wrongCall(QStringLiteral("--image and --video exclude each other"));
+    return registerByMarkers(call);
+}
+
+namespace {
+
+QString verdictName(MovedCheck::Verdict verdict)
+{
+    switch (verdict) {
+    case MovedCheck::Verdict::CameraMoved:
+        return QStringLiteral("camera");
+    case MovedCheck::Verdict::MarkersMoved:
+        return QStringLiteral("markers");
+    case MovedCheck::Verdict::Still:
+        break;
+    }
+    return QStringLiteral("nothing");
+}
+
+QJsonObject movedJson(const QString &cameraName, const MovedCheck &check)
+{
+    QJsonArray markers;
+    for (const MarkerShift &marker : check.markers)
+        markers.append(QJsonObject{{QStringLiteral("label"), QString::fromStdString(marker.label)},
+                                   {QStringLiteral("shift_px"), marker.shiftPx},
+                                   {QStringLiteral("shift_mm"), toMillimetres(marker.shiftM)},
+                                   {QStringLiteral("limit_px"), marker.limitPx},
+                                   {QStringLiteral("moved"), marker.isMoved()}});
+    return {{QStringLiteral("camera"), cameraName},
+            {QStringLiteral("moved"), verdictName(check.verdict)},
+            {QStringLiteral("shift_px"), check.shiftPx},
+            {QStringLiteral("shift_mm"), toMillimetres(check.shiftM)},
+            {QStringLiteral("markers"), markers},
+            {QStringLiteral("missing"), sentencesJson(check.missing)},
+            {QStringLiteral("verdict"), QString::fromStdString(check.words)}};
+}
+
+} // namespace
+
+Result<void> runMoved(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call(
+        {QStringLiteral("moved"),
+         QStringLiteral("P.odo --camera CAMERA --image F.png [--json]"),
+         1,
+         1,
+         {{option::camera, QStringLiteral("The registered camera."), QStringLiteral("CAMERA")},
+          {option::image, QStringLiteral("A picture of it as it stands now."), QStringLiteral("FILE")}}},
+        cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    if (!call.isSet(option::camera) || !call.isSet(option::image))
+        return call.wrongCall(QStringLiteral("--camera and --image are needed"));
+    // What was found is kept where it can be; where it cannot, it is told all the same.
+    auto project = call.openProject(0, Project::Access::ReadWrite);
+    const bool canKeep = project || project.error().code != ErrorCode::ReadOnly;
+    if (!canKeep)
+        project = call.openProject(0, Project::Access::ReadOnly);
+    if (!project)
+        return tl::unexpected(project.error());
+    MovedJob job({call.value(option::camera), call.value(option::image), {}});
+    auto done = job.prepare(**project);
+    if (done)
+        done = job.run(call.control());
+    if (canKeep && done)
+        done = job.commit(**project);
+    else if (canKeep && done.error().code == ErrorCode::Undetermined)
+        if (auto kept = keepNotTold(**project, call.value(option::camera), done.error()); !kept)
+            return kept;
+    if (!done)
+        return done;
+    const MovedCheck &check = job.check();
+    call.answer(movedJson(QString::fromStdString(call.value(option::camera)), check),
+                QString::fromStdString(check.words));
+    if (check.verdict == MovedCheck::Verdict::Still)
+        return {};
+    return fail(ErrorCode::InvalidInput, "camera '" + call.value(option::camera) + "'",
+                check.verdict == MovedCheck::Verdict::CameraMoved
+                    ? "it has moved since it was registered"
+                    : "a marker has moved since it was registered",
+                "see the answer for what to do");
+}
+
+namespace {
+
+const std::pair<Revision::Kind, const char *> kinds[] = {{Revision::Kind::Calibration, "calibration"},
+                                                         {Revision::Kind::Registration, "registration"}};
+
+QString kindName(Revision::Kind kind)
+{
+    return QString::fromLatin1(kinds[kind == Revision::Kind::Calibration ? 0 : 1].second);
+}
+
+QJsonObject revisionJson(const Revision &revision)
+{
+    return {{QStringLiteral("kind"), kindName(revision.kind)},
+            {QStringLiteral("id"), qint64(revision.id)},
+            {QStringLiteral("made"), dateText(revision.made)},
+            {QStringLiteral("software_version"), QString::fromStdString(revision.softwareVersion)},
+            {QStringLiteral("origin"), QString::fromStdString(revision.origin)},
+            {QStringLiteral("evidence"), revision.evidence},
+            {QStringLiteral("rms_px"), revision.rmsPx},
+            {QStringLiteral("verdict"), QString::fromStdString(revision.verdict)},
+            {QStringLiteral("in_force"), revision.isCurrent},
+            {QStringLiteral("trials"), sentencesJson(revision.trials)}};
+}
+
+QString revisionText(const Revision &revision)
+{
+    QString text = QStringLiteral("%1:%2  %3  %4, %5 px")
+                       .arg(kindName(revision.kind))
+                       .arg(revision.id)
+                       .arg(dateText(revision.made), QString::fromStdString(revision.origin))
+                       .arg(revision.rmsPx, 0, 'f', 2);
+    if (!revision.trials.empty())
+        text += QStringLiteral(", ") + counted(revision.trials.size(), QStringLiteral("trial"));
+    return revision.isCurrent ? text + QStringLiteral(", in force") : text;
+}
+
+/// "registration:7" into its kind and number.
+Result<std::pair<Revision::Kind, RecordId>> chosenOf(const CommandCall &call)
+{
+    const QString text = QString::fromStdString(call.value(option::use));
+    bool isNumber = false;
+    const RecordId id = text.section(u':', 1).toLongLong(&isNumber);
+    for (const auto &[kind, name] : kinds)
+        if (isNumber && text.section(u':', 0, 0) == QLatin1String(name))
+            return std::pair(kind, id);
+    return call.wrongCall(QStringLiteral("--use takes calibration:NUMBER or registration:NUMBER"));
+}
+
+} // namespace
+
+Result<void> runRevisions(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call({QStringLiteral("revisions"),
+                      QStringLiteral("P.odo CAMERA [--use calibration:N|registration:N] [--json]"),
+                      2,
+                      2,
+                      {{option::use, QStringLiteral("Put this revision in force until the next one is made."),
+                        QStringLiteral("KIND:N")}}},
+                     cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    const auto chosen = call.isSet(option::use) ? chosenOf(call) : std::pair<Revision::Kind, RecordId>();
+    if (!chosen)
+        return tl::unexpected(chosen.error());
+    const auto project =
+        call.openProject(0, call.isSet(option::use) ? Project::Access::ReadWrite : Project::Access::ReadOnly);
+    if (!project)
+        return tl::unexpected(project.error());
+    if (call.isSet(option::use))
+        if (auto done = chooseRevision(**project, call.text(1), chosen->first, chosen->second); !done)
+            return done;
+    const auto revisions = revisionsOf(**project, call.text(1));
+    if (!revisions)
+        return tl::unexpected(revisions.error());
+    QJsonArray json;
+    QStringList lines;
+    for (const Revision &revision : *revisions) {
+        json.append(revisionJson(revision));
+        lines << revisionText(revision);
+    }
+    if (lines.isEmpty())
+        lines << QStringLiteral("Camera %1 is neither calibrated nor registered.").arg(call.positional(1));
+    call.answer({{QStringLiteral("camera"), call.positional(1)}, {QStringLiteral("revisions"), json}},
+                lines.join(u'\n'));
+    return {};
+}
+
+} // namespace odo

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/answers.h"
+#include "app/command_call.h"
+#include "app/commands/commands.h"
+#include "app/output_options.h"
+#include "core/project/limits.h"
+#include "core/workflow/compare/compare_trials.h"
+#include "core/workflow/track/track_warnings.h"
+#include "ui/report/report_output.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+QList<QCommandLineOption> reportSyntax()
+{
+    return outputOptions(QStringLiteral("The PDF file to write.")) +
+           QList<QCommandLineOption>{
+               {option::ofClass, QStringLiteral("The ranking of this class, before the trials."),
+                QStringLiteral("CLASS")},
+               {option::task,
+                QStringLiteral("In which task; without it, the one that most of its trials have."),
+                QStringLiteral("TASK")},
+               {option::figure,
+                QStringLiteral("By which figure; without it, the score, or else what tells most."),
+                QStringLiteral("NAME")},
+               {option::teams, QStringLiteral("A page for each team of the class, too.")}} +
+           reportOptionSyntax();
+}
+
+} // namespace
+
+Result<void> runReport(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call({QStringLiteral("report"),
+                      QStringLiteral("P.odo [TRIAL]... -o report.pdf [--force] [--class CLASS]"), 1, -1,
+                      reportSyntax()},
+                     cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    if (!call.isSet(option::output))
+        return call.wrongCall(QStringLiteral("-o is missing"));
+    const bool hasTrials = call.positionals().size() > 1;
+    if (!hasTrials && !call.isSet(option::ofClass))
+        return call.wrongCall(QStringLiteral("name a trial, or a class with --class"));
+    if (!call.isSet(option::ofClass))
+        for (const QString &needsClass : {option::task, option::figure, option::teams})
+            if (call.isSet(needsClass))
+                return call.wrongCall(QStringLiteral("--%1 needs --class").arg(needsClass));
+    const auto options = readReportOptions(call);
+    if (!options)
+        return tl::unexpected(options.error());
+    const auto project = call.openProject(0, Project::Access::ReadOnly);
+    if (!project)
+        return tl::unexpected(project.error());
+    const auto target = outputOf(call, call.value(option::output), FileKind::Pdf, project->get());
+    if (!target)
+        return tl::unexpected(target.error());
+    std::vector<ReportMaker> makers;
+    if (call.isSet(option::ofClass))
+        makers.push_back(classReport({call.value(option::ofClass), call.value(option::task),
+                                      call.value(option::figure), call.isSet(option::teams)},
+                                     *options));
+    if (hasTrials) {
+        std::vector<std::string> trials;
+        for (const QString &trial : call.positionals().mid(1))
+            trials.push_back(trial.toStdString());
+        makers.push_back(trialReports(std::move(trials), *options));
+    }
+    ReportJob job(inTurn(std::move(makers)),
+                  std::make_unique<PdfFile>(*target, QStringLiteral("Odograph report")));
+    if (auto made = runToEnd(job, **project, call.control()); !made)
+        return made;
+    const QString file = QString::fromStdString(call.value(option::output));
+    call.answer({{QStringLiteral("report"), file}, {QStringLiteral("pages"), job.pageCount()}},
+                QStringLiteral("Wrote %1, %2.").arg(file, counted(job.pageCount(), QStringLiteral("page"))));
+    return {};
+}
+
+namespace {
+
+/// What --align tells: a word, or the seconds by which the second run's moment comes later in its recording.
+Result<void> readAlignment(const CommandCall &call, CompareSettings &settings, double &laterS)
+{
+    const std::string word = call.value(option::align);
+    if (word == "auto")
+        return {};
+    for (const AlignBy by : {AlignBy::StartGate, AlignBy::MotionOnset, AlignBy::Distance}) {
+        if (word != alignByWord(by))
+            continue;
+        settings.alignBy = by;
+        return {};
+    }
+    const auto seconds = call.number(option::align);
+    if (!seconds)
+        return call.wrongCall(
+            QStringLiteral("--align is auto, start_gate, motion_onset, distance or a number of seconds"));
+    if (std::abs(*seconds) > largestOffsetS)
+        return call.wrongCall(QStringLiteral("--align takes seconds from -3600 to 3600"));
+    settings.alignBy = AlignBy::ByHand;
+    laterS = *seconds;
+    return {};
+}
+
+QJsonArray metricsJson(const std::vector<MetricDifference> &lines)
+{
+    QJsonArray metrics;
+    for (const MetricDifference &line : lines) {
+        if (!line.difference) // a figure that only one of them has cannot be compared
+            continue;
+        metrics.append(QJsonObject{{QStringLiteral("name"), QString::fromStdString(line.name)},
+                                   {QStringLiteral("unit"), QString::fromStdString(line.unit)},
+                                   {QStringLiteral("a"), *line.a},
+                                   {QStringLiteral("b"), *line.b},
+                                   {QStringLiteral("difference"), line.difference->value},
+                                   {QStringLiteral("sigma"), line.difference->sigma},
+                                   {QStringLiteral("significant"), line.difference->isSignificant()}});
+    }
+    return metrics;
+}
+
+QJsonObject comparisonJson(const TrialComparison &compared)
+{
+    const std::string_view alignedBy = alignByWord(compared.comparison.alignedBy);
+    QJsonArray distances, differences;
+    for (std::size_t station = 0; station < compared.comparison.waysM.size(); ++station) {
+        const auto difference = compared.comparison.timeDifference(1, station);
+        if (!difference) // one of the runs was never there
+            continue;
+        distances.append(compared.comparison.distanceM(station));
+        differences.append(difference->value);
+    }
+    return {{QStringLiteral("aligned_by"), QString::fromUtf8(alignedBy.data(), qsizetype(alignedBy.size()))},
+            {QStringLiteral("distance_m"), distances},
+            {QStringLiteral("delta_t_s"), differences},
+            {QStringLiteral("metrics"), metricsJson(compared.metrics.front())}};
+}
+
+QString alignmentWords(AlignBy by)
+{
+    switch (by) {
+    case AlignBy::StartGate:
+        return QStringLiteral("the start gate");
+    case AlignBy::MotionOnset:
+        return QStringLiteral("the onset of motion");
+    case AlignBy::Distance:
+        return QStringLiteral("a place that both pass");
+    case AlignBy::ByHand:
+        break;
+    }
+    return QStringLiteral("hand");
+}
+
+/// "+0.123 ±0.004 s", and whether chance explains it.
+QString differenceText(const Difference &difference, const QString &unit)
+{
+    const int decimals = difference.sigma > 0 && difference.sigma < 0.0005 ? 4 : 3;
+    return QStringLiteral("%1%2 ±%3%4%5")
+        .arg(difference.value < 0 ? QString() : QStringLiteral("+"))
+        .arg(difference.value, 0, 'f', decimals)
+        .arg(difference.sigma, 0, 'f', decimals)
+        .arg(unit == QStringLiteral("1") ? QString() : u' ' + unit,
+             difference.isSignificant() ? QString() : QStringLiteral("  within the error"));
+}
+
+QString valueText(const std::optional<double> &value)
+{
+    return value ? QString::number(*value, 'f', 3) : QStringLiteral("-");
+}
+
+QString comparisonText(const ComparedTrials &trials, const TrialComparison &compared)
+{
+    const RunComparison &comparison = compared.comparison;
+    const QString a = QString::fromStdString(runName(trials.runs[0])),
+                  b = QString::fromStdString(runName(trials.runs[1]));
+    QStringList lines(
+        QStringLiteral("%1 (a) and %2 (b), aligned by %3, along %4; differences are b less a, ± one σ")
+            .arg(a, b, alignmentWords(comparison.alignedBy),
+                 comparison.isTasksPath ? QStringLiteral("the task's path")
+                                        : QStringLiteral("the way of a")));
+    for (std::size_t station = comparison.waysM.size(); station-- > 0;) {
+        if (const auto last = comparison.timeDifference(1, station)) {
+            lines << QStringLiteral("  after %1 m: %2")
+                         .arg(comparison.distanceM(station), 0, 'f', 2)
+                         .arg(differenceText(*last, QStringLiteral("s")));
+            break;
+        }
+    }
+    for (const SectorTimes &sector : compared.sectors) {
+        if (!sector.differences[1])
+            continue;
+        lines << QStringLiteral("  %1 to %2: %3 s, %4 s, %5")
+                     .arg(sector.from.empty() ? QStringLiteral("beginning")
+                                              : QString::fromStdString(sector.from),
+                          sector.to.empty() ? QStringLiteral("end") : QString::fromStdString(sector.to))
+                     .arg(sector.times[0]->value, 0, 'f', 3)
+                     .arg(sector.times[1]->value, 0, 'f', 3)
+                     .arg(differenceText(*sector.differences[1], QStringLiteral("s")));
+    }
+    for (const MetricDifference &line : compared.metrics.front())
+        lines << QStringLiteral("  %1 %2 %3  %4")
+                     .arg(QString::fromStdString(line.name), -16)
+                     .arg(valueText(line.a), 9)
+                     .arg(valueText(line.b), 9)
+                     .arg(line.difference
+                              ? differenceText(*line.difference, QString::fromStdString(line.unit))
+                              : QStringLiteral("only one has it"));
+    return lines.join(u'\n');
+}
+
+Result<void> writeReport(const CommandCall &call, Project &project, const CompareSettings &settings)
+{
+    const auto options = readReportOptions(call);
+    if (!options)
+        return tl::unexpected(options.error());
+    const auto target = outputOf(call, call.value(option::output), FileKind::Pdf, &project);
+    if (!target)
+        return tl::unexpected(target.error());
+    ReportJob job(comparisonReport(settings, *options),
+                  std::make_unique<PdfFile>(*target, QStringLiteral("Odograph comparison")));
+    return runToEnd(job, project, call.control());
+}
+
+} // namespace
+
+Result<void> runCompare(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call(
+        {QStringLiteral("compare"),
+         QStringLiteral(
+             "P.odo TRIAL1 TRIAL2 [--robot R]... [--align auto|start_gate|motion_onset|distance|SECONDS] "
+             "[-o report.pdf [--force]]"),
+         3, 3,
+         outputOptions(QStringLiteral("The PDF report to write.")) +
+             QList<QCommandLineOption>{
+                 {option::robot, QStringLiteral("Where a trial has several: of both, or given twice."),
+                  QStringLiteral("R")},
+                 {option::align,
+                  QStringLiteral(
+                      "The moment that counts as the same; SECONDS: how much later TRIAL2's moment comes "
+                      "in its recording."),
+                  QStringLiteral("HOW"), QStringLiteral("auto")}} +
+             reportOptionSyntax()},
+        cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    const std::vector<std::string> robots = call.texts(option::robot);
+    if (robots.size() > 2)
+        return call.wrongCall(QStringLiteral("--robot is given once for both trials, or once for each"));
+    CompareSettings settings;
+    settings.runs = {{call.text(1), robots.empty() ? std::string() : robots.front()},
+                     {call.text(2), robots.empty() ? std::string() : robots.back()}};
+    double laterS = 0;
+    if (auto read = readAlignment(call, settings, laterS); !read)
+        return read;
+    const auto project = call.openProject(0, Project::Access::ReadOnly);
+    if (!project)
+        return tl::unexpected(project.error());
+    const auto trials = readComparedTrials(**project, settings);
+    if (!trials)
+        return tl::unexpected(trials.error());
+    settings.handTimesS = {std::max(0.0, -laterS), std::max(0.0, laterS)};
+    const auto compared = compareTrials(*trials, settings);
+    if (!compared)
+        return tl::unexpected(compared.error());
+    if (call.isSet(option::output))
+        if (auto written = writeReport(call, **project, settings); !written)
+            return written;
+    call.answer(comparisonJson(*compared), comparisonText(*trials, *compared));
+    for (const ComparedTrial &run : trials->runs)
+        for (const std::string &warning : analysisWarnings(run.analysis, run.trial.name))
+            CommandCall::warn(warning);
+    return {};
+}
+
+} // namespace odo

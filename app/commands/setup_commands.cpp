@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/answers.h"
+#include "app/command_call.h"
+#include "app/commands/commands.h"
+#include "core/exchange/task_file.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/tracking/picked_colour.h"
+#include "core/workflow/calibrate/calibration_pictures.h"
+
+#include <QJsonArray>
+#include <array>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+/// "x,y,w,h" in whole pixels.
+Result<PixelRect> boxFrom(const CommandCall &call)
+{
+    const QStringList texts = QString::fromStdString(call.value(option::box)).split(u',');
+    std::array<int, 4> numbers{};
+    bool good = texts.size() == qsizetype(numbers.size());
+    for (std::size_t i = 0; good && i < numbers.size(); ++i)
+        numbers[i] = texts[qsizetype(i)].trimmed().toInt(&good);
+    const auto [x, y, width, height] = numbers;
+    constexpr int most = 1 << 20; // wider than any picture, and far from overflowing
+    if (!good || width <= 0 || height <= 0 || std::max({std::abs(x), std::abs(y), width, height}) > most)
+        return call.wrongCall(QStringLiteral("--box '%1' is not of the form x,y,w,h in pixels")
+                                  .arg(QString::fromStdString(call.value(option::box))));
+    return PixelRect{x, y, x + width, y + height};
+}
+
+/// The colour of what is in a box of a picture.
+Result<RgbColour> pickedColour(const CommandCall &call)
+{
+    if (!call.isSet(option::box))
+        return call.wrongCall(QStringLiteral("--pick needs --box x,y,w,h round the robot"));
+    const auto box = boxFrom(call);
+    if (!box)
+        return tl::unexpected(box.error());
+    bool isWhole = true;
+    const qint64 frame = call.isSet(option::frame)
+                             ? QString::fromStdString(call.value(option::frame)).toLongLong(&isWhole)
+                             : 0;
+    if (!isWhole || frame < 0)
+        return call.wrongCall(QStringLiteral("--frame '%1' is not a whole number")
+                                  .arg(QString::fromStdString(call.value(option::frame))));
+    const auto picture = pictureOf(call.value(option::pick), frame);
+    if (!picture)
+        return tl::unexpected(picture.error());
+    const auto picked = pickColour(*picture, *box);
+    return picked ? Result<RgbColour>(picked->colour) : tl::unexpected(picked.error());
+}
+
+/// None: a robot of any look.
+Result<std::optional<RgbColour>> colourFrom(const CommandCall &call)
+{
+    if (call.isSet(option::colour) && call.isSet(option::pick))
+        return call.wrongCall(QStringLiteral("--colour and --pick are two colours"));
+    if (call.isSet(option::pick))
+        return pickedColour(call);
+    if (!call.isSet(option::colour))
+        return std::nullopt;
+    const auto colour = parseColour(call.value(option::colour));
+    if (!colour)
+        return call.wrongCall(QString::fromStdString(colour.error().what + " is " + colour.error().why));
+    return *colour;
+}
+
+Result<RobotRecord> robotFrom(const CommandCall &call)
+{
+    RobotRecord robot;
+    robot.name = call.text(2);
+    const auto colour = colourFrom(call);
+    if (!colour)
+        return tl::unexpected(colour.error());
+    robot.colour = *colour;
+    const std::string height = call.isSet(option::height) ? call.value(option::height) : "auto";
+    if (height == "free") {
+        robot.heightMode = RobotRecord::Height::Free;
+    } else if (height != "auto") {
+        const auto heightM = call.lengthM(option::height);
+        if (!heightM)
+            return tl::unexpected(heightM.error());
+        robot.heightMode = RobotRecord::Height::Told;
+        robot.heightM = *heightM;
+    }
+    if (call.isSet(option::size)) {
+        const auto size = call.sizePair(option::size);
+        if (!size)
+            return tl::unexpected(size.error());
+        robot.lengthM = fromMillimetres(size->first);
+        robot.widthM = fromMillimetres(size->second);
+    }
+    if (call.isSet(option::reference)) {
+        const QStringList parts = QString::fromStdString(call.value(option::reference)).split(u',');
+        const auto forward = parseNumber(parts.front().toStdString()),
+                   left = parseNumber(parts.back().toStdString());
+        if (parts.size() != 2 || !forward || !left)
+            return call.wrongCall(
+                QStringLiteral("--reference '%1' is not of the form FORWARD,LEFT, two numbers in millimetres")
+                    .arg(QString::fromStdString(call.value(option::reference))));
+        robot.referenceM = {fromMillimetres(*forward), fromMillimetres(*left)};
+    }
+    return robot;
+}
+
+} // namespace
+
+Result<void> runRobot(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call(
+        {QStringLiteral("robot"),
+         QStringLiteral("add P.odo NAME [--colour #rrggbb|--pick FILE --box x,y,w,h [--frame N]] [--height "
+                        "60mm|auto|free] "
+                        "[--size 260x190] [--reference 20,0]"),
+         3,
+         3,
+         {{option::colour,
+           QStringLiteral(
+               "The robot's colour, where it has one of its own; without it the robot may have any look."),
+           QStringLiteral("#rrggbb")},
+          {option::pick, QStringLiteral("A video or picture to take the colour from."),
+           QStringLiteral("FILE")},
+          {option::box, QStringLiteral("A box closely round the robot in it, in pixels from the top left."),
+           QStringLiteral("x,y,w,h")},
+          {option::frame, QStringLiteral("Which frame of the video; the first is 0."), QStringLiteral("N")},
+          {option::height,
+           QStringLiteral(
+               "Height of its top; auto estimates it from the views; free triangulates every frame."),
+           QStringLiteral("LENGTH")},
+          {option::size, QStringLiteral("Length and width in mm."), QStringLiteral("LxW")},
+          {option::reference,
+           QStringLiteral("The point that is measured, in mm from the footprint's centre: forward along its "
+                          "heading, and to its left."),
+           QStringLiteral("FORWARD,LEFT")}}},
+        cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    if (call.positional(0) != QStringLiteral("add"))
+        return call.wrongCall(QStringLiteral("'%1' is not known").arg(call.positional(0)));
+    const auto robot = robotFrom(call);
+    if (!robot)
+        return tl::unexpected(robot.error());
+    const auto project = call.openProject(1, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    const auto added =
+        changing(**project, "add robot " + robot->name, [&] { return (*project)->robots().add(*robot); });
+    if (!added)
+        return tl::unexpected(added.error());
+    const QString name = QString::fromStdString(added->name),
+                  colour = added->colour ? QString::fromStdString(added->colour->toString()) : QString();
+    call.answer({{QStringLiteral("robot"), name},
+                 {QStringLiteral("colour"), colour.isEmpty() ? QJsonValue() : QJsonValue(colour)}},
+                colour.isEmpty() ? QStringLiteral("Robot %1 added; it may have any look.").arg(name)
+                                 : QStringLiteral("Robot %1 added, colour %2.").arg(name, colour));
+    return {};
+}
+
+namespace {
+
+QString summary(const TaskRecord &task)
+{
+    const std::string_view kind = taskTemplateWord(task.task.kind);
+    return QStringLiteral("  %1  %2  %3%4%5%6")
+        .arg(QString::fromStdString(task.name), -24)
+        .arg(QString::fromUtf8(kind.data(), qsizetype(kind.size())), -13)
+        .arg(counted(task.task.gates.size(), QStringLiteral("gate")))
+        .arg(task.task.path.points.empty() ? QString() : QStringLiteral(", reference path"),
+             task.task.limits.maxSpeedMps || task.task.limits.maxAccelMps2 ? QStringLiteral(", limits")
+                                                                           : QString(),
+             task.task.zones.empty()
+                 ? QString()
+                 : QStringLiteral(", ") + counted(task.task.zones.size(), QStringLiteral("zone")));
+}
+
+Result<void> addTask(const CommandCall &call)
+{
+    const auto task = readTaskFile(call.text(3));
+    if (!task)
+        return tl::unexpected(task.error());
+    const auto project = call.openProject(1, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    const auto added = changing(**project, "add task " + call.text(2), [&] {
+        return (*project)->tasks().add({0, call.text(2), *task});
+    });
+    if (!added)
+        return tl::unexpected(added.error());
+    call.answer(taskJson(*added), QStringLiteral("Task added:\n%1").arg(summary(*added)));
+    return {};
+}
+
+Result<void> listTasks(const CommandCall &call)
+{
+    const auto project = call.openProject(1, Project::Access::ReadOnly);
+    if (!project)
+        return tl::unexpected(project.error());
+    const auto all = (*project)->tasks().all();
+    if (!all)
+        return tl::unexpected(all.error());
+    QJsonArray tasks;
+    QStringList lines;
+    for (const TaskRecord &task : *all) {
+        tasks.append(taskJson(task));
+        lines << summary(task);
+    }
+    call.answer({{QStringLiteral("tasks"), tasks}},
+                lines.isEmpty() ? QStringLiteral("No task yet; add one with odograph task add.")
+                                : lines.join(u'\n'));
+    return {};
+}
+
+Result<void> setTask(const CommandCall &call)
+{
+    const auto project = call.openProject(1, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    const auto trial = (*project)->trials().find(call.text(2));
+    if (!trial)
+        return tl::unexpected(trial.error());
+    const auto task = (*project)->tasks().find(call.text(3));
+    if (!task)
+        return tl::unexpected(task.error());
+    if (auto set = (*project)->change("give " + trial->name + " the task " + task->name,
+                                      [&] { return (*project)->trials().setTask(trial->id, task->name); });
+        !set)
+        return set;
+    const QString trialName = QString::fromStdString(trial->name),
+                  taskName = QString::fromStdString(task->name);
+    call.answer({{QStringLiteral("trial"), trialName}, {QStringLiteral("task"), taskName}},
+                QStringLiteral("Trial %1 has the task %2; measure it with: odograph track %3 %1 --again")
+                    .arg(trialName, taskName, call.positional(1)));
+    return {};
+}
+
+} // namespace
+
+Result<void> runTask(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call({QStringLiteral("task"),
+                      QStringLiteral("add P.odo NAME task.json | list P.odo | set P.odo TRIAL NAME [--json]"),
+                      2,
+                      4,
+                      {}},
+                     cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    const QString verb = call.positional(0);
+    const auto count = call.positionals().size();
+    if (verb == QStringLiteral("add") && count == 4)
+        return addTask(call);
+    if (verb == QStringLiteral("list") && count == 2)
+        return listTasks(call);
+    if (verb == QStringLiteral("set") && count == 4)
+        return setTask(call);
+    return call.wrongCall(
+        QStringLiteral("give add P.odo NAME task.json, list P.odo, or set P.odo TRIAL NAME"));
+}
+
+} // namespace odo

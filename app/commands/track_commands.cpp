@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/answers.h"
+#include "app/command_call.h"
+#include "app/commands/commands.h"
+#include "core/base/units.h"
+#include "core/workflow/track/reanalysis.h"
+#include "core/workflow/track/track_job.h"
+
+namespace odo {
+
+namespace {
+
+QJsonObject robotJson(const TrackedRobot &robot)
+{
+    const Profile &profile = robot.analysis.profile;
+    QJsonObject json{
+        {QStringLiteral("frames"), qint64(robot.frames)},
+        {QStringLiteral("tracked"), qint64(robot.tracked)},
+        {QStringLiteral("spikes"), qint64(profile.spikes.size())},
+        {QStringLiteral("mean_view_disagreement_mm"), toMillimetres(profile.meanViewDisagreementM)},
+        {QStringLiteral("look"), robot.isFoundByColour ? QStringLiteral("colour") : QStringLiteral("any")},
+        {QStringLiteral("height_m"), profile.heightM},
+        {QStringLiteral("path_length_m"), metricValue(profile, "path_length")},
+        {QStringLiteral("duration_s"), metricValue(profile, "duration")},
+        {QStringLiteral("mean_speed_m_s"), metricValue(profile, "mean_speed")},
+        {QStringLiteral("max_speed_m_s"), metricValue(profile, "max_speed")}};
+    json.insert(QStringLiteral("clearance_mm"),
+                profile.clearanceM ? QJsonValue(toMillimetres(*profile.clearanceM)) : QJsonValue());
+    json.insert(QStringLiteral("doubtful_s"), optionalJson(robot.doubtfulS));
+    json.insert(QStringLiteral("doubts"), doubtsJson(robot.analysis.doubtfulNames));
+    json.insert(QStringLiteral("occlusions"), occlusionsJson(robot.occlusions));
+    insertTaskAnswers(json, profile);
+    return json;
+}
+
+QString robotText(const TrackedRobot &robot)
+{
+    const Profile &profile = robot.analysis.profile;
+    return QStringLiteral("%1: %2 of %3 frames, %4, path %5 m in %6 s, top speed %7 m/s%8")
+        .arg(QString::fromStdString(robot.name))
+        .arg(robot.tracked)
+        .arg(robot.frames)
+        .arg(counted(profile.spikes.size(), QStringLiteral("spike")))
+        .arg(metricValue(profile, "path_length"), 0, 'f', 3)
+        .arg(metricValue(profile, "duration"), 0, 'f', 2)
+        .arg(metricValue(profile, "max_speed"), 0, 'f', 3)
+        .arg(taskRemark(profile));
+}
+
+/// "R=VIEW,SECONDS,X,Y", or "R=none".
+Result<std::vector<RobotPointer>> pointersOf(const CommandCall &call)
+{
+    const auto pairs = call.pairs(option::at);
+    if (!pairs)
+        return tl::unexpected(pairs.error());
+    constexpr qsizetype figures = 3;
+    std::vector<RobotPointer> pointers;
+    for (const auto &[robot, where] : *pairs) {
+        RobotPointer &pointer = pointers.emplace_back(RobotPointer{robot});
+        if (where == "none")
+            continue;
+        const QStringList parts = QString::fromStdString(where).split(u',');
+        const qsizetype first = parts.size() - figures;
+        const bool isComplete = first > 0;
+        const auto figure = [&](qsizetype i) {
+            return isComplete ? parseNumber(parts[first + i].toStdString()) : Result<double>();
+        };
+        const auto time = figure(0), x = figure(1), y = figure(2);
+        if (!isComplete || !time || !x || !y)
+            return call.wrongCall(
+                QStringLiteral("--at '%1=%2' is not of the form R=VIEW,SECONDS,X,Y or R=none")
+                    .arg(QString::fromStdString(robot), QString::fromStdString(where)));
+        pointer.view = parts.first(first).join(u',').toStdString();
+        pointer.timeS = *time;
+        pointer.pixel = {*x, *y};
+    }
+    return pointers;
+}
+
+} // namespace
+
+Result<void> runTrack(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call(
+        {QStringLiteral("track"),
+         QStringLiteral("P.odo TRIAL [--robot R]... [--at R=VIEW,SECONDS,X,Y]... [--smoother "
+                        "rts|savgol|tracker|none] [--again] [--json]"),
+         2,
+         2,
+         {{option::robot, QStringLiteral("A robot to look for."), QStringLiteral("R")},
+          {option::at,
+           QStringLiteral("Where a robot without a colour is in a picture, in pixels, if the wrong thing was "
+                          "followed; R=none takes it back."),
+           QStringLiteral("R=VIEW,SECONDS,X,Y")},
+          {option::smoother, QStringLiteral("How the curves are made."), QStringLiteral("NAME")},
+          {option::again,
+           QStringLiteral("Analyse the stored observations anew, without decoding the videos.")}}},
+        cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    TrackSettings settings;
+    settings.robots = call.texts(option::robot);
+    settings.again = call.isSet(option::again);
+    if (call.isSet(option::smoother)) {
+        const auto known = parseSmoother(call.value(option::smoother));
+        if (!known)
+            return call.wrongCall(QStringLiteral("--smoother is rts, savgol, tracker or none"));
+        settings.smoother = *known;
+    }
+    auto pointers = pointersOf(call);
+    if (!pointers)
+        return tl::unexpected(pointers.error());
+    if (settings.again && !pointers->empty())
+        return call.wrongCall(QStringLiteral("--at needs the videos, and --again does not read them"));
+    settings.pointers = std::move(*pointers);
+    const auto project = call.openProject(0, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    TrackJob job(call.text(1), std::move(settings));
+    if (auto done = runToEnd(job, **project, call.control()); !done)
+        return done;
+    const TrackOutcome &outcome = job.outcome();
+    QJsonObject robots;
+    QStringList lines;
+    for (const TrackedRobot &tracked : outcome.robots) {
+        robots.insert(QString::fromStdString(tracked.name), robotJson(tracked));
+        lines << robotText(tracked);
+    }
+    call.answer({{QStringLiteral("trial"), QString::fromStdString(outcome.trial)},
+                 {QStringLiteral("robots"), robots},
+                 {QStringLiteral("warnings"), sentencesJson(outcome.warnings)},
+                 {QStringLiteral("wall_s"), outcome.wallS},
+                 {QStringLiteral("decode_s"), outcome.decodeS},
+                 {QStringLiteral("frames_per_s"), outcome.framesPerSecond}},
+                lines.join(u'\n'));
+    for (const std::string &warning : outcome.warnings)
+        CommandCall::warn(warning);
+    return {};
+}
+
+namespace {
+
+Result<OverruleRequest> requestOf(const CommandCall &call)
+{
+    if (int(call.isSet(option::spike)) + int(call.isSet(option::valid)) + int(call.isSet(option::clear)) != 1)
+        return call.wrongCall(QStringLiteral("one of --spike, --valid and --clear is needed"));
+    if (call.isSet(option::time) == call.isSet(option::frame))
+        return call.wrongCall(QStringLiteral("one of --time and --frame is needed"));
+    OverruleRequest request;
+    request.trial = call.text(1);
+    request.robot = call.value(option::robot);
+    request.word = call.isSet(option::spike)   ? OverruleRequest::Word::Spike
+                   : call.isSet(option::valid) ? OverruleRequest::Word::Valid
+                                               : OverruleRequest::Word::Clear;
+    const auto number = call.number(call.isSet(option::time) ? option::time : option::frame);
+    if (!number)
+        return tl::unexpected(number.error());
+    if (call.isSet(option::time) && std::abs(*number) > 1e9)
+        return call.wrongCall(QStringLiteral("--time takes seconds from -1,000,000,000 to 1,000,000,000"));
+    if (call.isSet(option::time))
+        request.timeS = *number;
+    else if (*number != std::floor(*number) || std::abs(*number) > 1e9)
+        return call.wrongCall(QStringLiteral("--frame is a whole number"));
+    else
+        request.frame = static_cast<std::int64_t>(*number);
+    return request;
+}
+
+QString wordsOf(OverruleRequest::Word word)
+{
+    switch (word) {
+    case OverruleRequest::Word::Spike:
+        return QStringLiteral("called a spike by hand");
+    case OverruleRequest::Word::Valid:
+        return QStringLiteral("called valid by hand");
+    case OverruleRequest::Word::Clear:
+        break;
+    }
+    return QStringLiteral("judged by the program again");
+}
+
+} // namespace
+
+Result<void> runFlag(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call(
+        {QStringLiteral("flag"),
+         QStringLiteral(
+             "P.odo TRIAL [--robot R] --time SECONDS|--frame N (--spike|--valid|--clear) [--json]"),
+         2,
+         2,
+         {{option::robot, QStringLiteral("The robot, where there are several."), QStringLiteral("R")},
+          {option::time, QStringLiteral("The sample nearest to this time."), QStringLiteral("SECONDS")},
+          {option::frame, QStringLiteral("The sample of this frame of the first view."), QStringLiteral("N")},
+          {option::spike, QStringLiteral("It is not to be used.")},
+          {option::valid, QStringLiteral("It is to be used.")},
+          {option::clear, QStringLiteral("Take back what was said by hand.")}}},
+        cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    const auto request = requestOf(call);
+    if (!request)
+        return tl::unexpected(request.error());
+    const auto project = call.openProject(0, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    OverruleJob job(*request);
+    if (auto done = runToEnd(job, **project, call.control()); !done)
+        return done;
+    const OverruleOutcome &outcome = job.outcome();
+    const Profile &profile = outcome.analysis.profile;
+    call.answer({{QStringLiteral("trial"), call.positional(1)},
+                 {QStringLiteral("robot"), QString::fromStdString(outcome.robot)},
+                 {QStringLiteral("frame"), qint64(outcome.frame)},
+                 {QStringLiteral("t_s"), toSeconds(outcome.time)},
+                 {QStringLiteral("flags"), QString::fromStdString(flagNames(outcome.flags))},
+                 {QStringLiteral("used"), !isRejected(outcome.flags)},
+                 {QStringLiteral("spikes"), qint64(profile.spikes.size())},
+                 {QStringLiteral("analysis"), qint64(outcome.analysis.id)},
+                 {QStringLiteral("metrics"), metricsJson(profile.metrics)}},
+                QStringLiteral("%1, frame %2 at %3 s: %4. A new analysis was made; it has %5.")
+                    .arg(QString::fromStdString(outcome.robot))
+                    .arg(outcome.frame)
+                    .arg(toSeconds(outcome.time), 0, 'f', 3)
+                    .arg(wordsOf(request->word))
+                    .arg(counted(profile.spikes.size(), QStringLiteral("spike"))));
+    return {};
+}
+
+namespace {
+
+QJsonObject changeJson(const ProfileChange &change)
+{
+    QJsonArray metrics;
+    for (const MetricChange &metric : change.metrics)
+        metrics.append(QJsonObject{{QStringLiteral("name"), QString::fromStdString(metric.name)},
+                                   {QStringLiteral("unit"), QString::fromStdString(metric.unit)},
+                                   {QStringLiteral("before"), optionalJson(metric.before)},
+                                   {QStringLiteral("after"), optionalJson(metric.after)},
+                                   {QStringLiteral("sigma"), optionalJson(metric.sigma)}});
+    return {{QStringLiteral("largest_shift_mm"), toMillimetres(change.largestShiftM)},
+            {QStringLiteral("largest_at_s"), toSeconds(change.largestAt)},
+            {QStringLiteral("rms_shift_mm"), toMillimetres(change.rmsShiftM)},
+            {QStringLiteral("spikes_before"), qint64(change.spikesBefore)},
+            {QStringLiteral("spikes_after"), qint64(change.spikesAfter)},
+            {QStringLiteral("metrics"), metrics},
+            {QStringLiteral("verdict"), QString::fromStdString(change.words)}};
+}
+
+} // namespace
+
+Result<void> runReprocess(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call(
+        {QStringLiteral("reprocess"),
+         QStringLiteral("P.odo TRIAL [--keep] [--json]"),
+         2,
+         2,
+         {{option::keep,
+           QStringLiteral("Store the new analyses; without it only what would change is told.")}}},
+        cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    const auto project = call.openProject(0, call.isSet(option::keep) ? Project::Access::ReadWrite
+                                                                      : Project::Access::ReadOnly);
+    if (!project)
+        return tl::unexpected(project.error());
+    ReprocessJob job(call.text(1));
+    if (auto done = runToEnd(job, **project, call.control()); !done)
+        return done;
+    if (call.isSet(option::keep))
+        if (auto kept = job.keep(**project); !kept)
+            return kept;
+    QJsonObject robots;
+    QStringList lines;
+    for (const ReprocessedRobot &robot : job.robots()) {
+        robots.insert(QString::fromStdString(robot.name), changeJson(robot.change));
+        lines << QStringLiteral("%1: %2").arg(QString::fromStdString(robot.name),
+                                              QString::fromStdString(robot.change.words));
+    }
+    if (!call.isSet(option::keep))
+        lines << QStringLiteral("Nothing was stored; --keep stores it.");
+    call.answer({{QStringLiteral("trial"), call.positional(1)},
+                 {QStringLiteral("robots"), robots},
+                 {QStringLiteral("kept"), call.isSet(option::keep)}},
+                lines.join(u'\n'));
+    return {};
+}
+
+} // namespace odo

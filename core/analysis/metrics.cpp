@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/analysis/metrics.h"
+
+#include "core/analysis/motion_stretches.h"
+#include "core/analysis/quantity_curve.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+namespace odo {
+
+namespace {
+
+/// σ of a stretch's length: of its two ends, and ∫ω·e dt of the error e across a path that turns at ω.
+double sigmaOfLengthOf(const MotionStretch &motion, const std::vector<RunInstant> &instants)
+{
+    double variance = std::pow(sigmaOfPosition(*instants[motion.first].point), 2) +
+                      std::pow(sigmaOfPosition(*instants[motion.last].point), 2);
+    for (std::size_t i = motion.first + 1; i <= motion.last; ++i) {
+        const auto course = courseOf(*instants[i].point);
+        if (!course)
+            continue;
+        // a clock may stand still
+        const double step = std::max(0.0, instants[i].timeS - instants[i - 1].timeS);
+        variance += std::pow(course->turnRateRadps * sigmaOfPosition(*instants[i].point), 2) * step *
+                    correlationTimeS(instants[i]);
+    }
+    return std::sqrt(variance);
+}
+
+/// Relative error of scale that the calibration leaves: its σ at two places over their distance.
+double sigmaScale(const std::vector<RunInstant> &instants)
+{
+    Eigen::Vector2d low = instants.front().point->position, high = low;
+    double variance = 0;
+    for (const RunInstant &instant : instants) {
+        low = low.cwiseMin(instant.point->position);
+        high = high.cwiseMax(instant.point->position);
+        variance += instant.commonSigmaM * instant.commonSigmaM;
+    }
+    const double sigma = std::sqrt(2 * variance / static_cast<double>(instants.size()));
+    // A robot that hardly moves says nothing of the scale: the error of a metre at most.
+    return sigma / std::max(1.0, (high - low).norm());
+}
+
+/// Length, times and what hangs on both.
+void addCourse(std::vector<Metric> &metrics, const std::vector<RunInstant> &instants,
+               const std::vector<MotionStretch> &motions, double scale)
+{
+    double duration = 0, path = 0, movingTime = 0, sigmaDuration = 0, sigmaPath = 0, chord = 0, sigmaEnds = 0;
+    if (!motions.empty()) {
+        const MotionStretch &first = motions.front(), &last = motions.back();
+        duration = last.stopS - first.startS;
+        sigmaDuration = std::hypot(sigmaOfMoment(instants, first.first), sigmaOfMoment(instants, last.last));
+        for (const MotionStretch &motion : motions) {
+            path += lengthOf(motion, instants);
+            movingTime += motion.stopS - motion.startS;
+        }
+        // An error of the path is, on a straight line, that of its ends; where it turns, errors across it
+        // count too.
+        sigmaEnds = std::hypot(sigmaOfPosition(*instants[first.first].point),
+                               sigmaOfPosition(*instants[last.last].point));
+        for (const MotionStretch &motion : motions)
+            sigmaPath = std::hypot(sigmaPath, sigmaOfLengthOf(motion, instants));
+        sigmaPath = std::hypot(sigmaPath, scale * path);
+        chord = (instants[last.last].point->position - instants[first.first].point->position).norm();
+    }
+    const double meanSpeed = duration > 0 ? path / duration : 0;
+    const double sigmaMean =
+        duration > 0 ? std::hypot(sigmaPath / duration, meanSpeed * sigmaDuration / duration) : 0;
+    const double straightness = path > 0 ? std::min(1.0, chord / path) : 0;
+    const double sigmaStraight = path > 0 ? sigmaEnds * std::hypot(1.0, straightness) / path : 0;
+    double sigmaMoving = 0;
+    for (const MotionStretch &motion : motions)
+        sigmaMoving = std::hypot(sigmaMoving, std::hypot(sigmaOfMoment(instants, motion.first),
+                                                         sigmaOfMoment(instants, motion.last)));
+    const double stops = motions.empty() ? 0 : static_cast<double>(motions.size() - 1);
+    metrics = {{"duration", "s", duration, sigmaDuration},
+               {"path_length", "m", path, sigmaPath},
+               {"mean_speed", "m/s", meanSpeed, sigmaMean},
+               {"straightness", "1", straightness, sigmaStraight},
+               {"moving_time", "s", movingTime, sigmaMoving},
+               {"stops", "1", stops, std::nullopt},
+               {"standing_time", "s", std::max(0.0, duration - movingTime),
+                motions.size() > 1 ? std::hypot(sigmaMoving, sigmaDuration) : 0.0}};
+}
+
+void addCircle(std::vector<Metric> &metrics, const std::vector<RunInstant> &instants,
+               const std::vector<MotionStretch> &motions, double scale)
+{
+    // More points than that say no more of a circle: of a longer run every second, third, … is taken.
+    constexpr std::size_t mostPoints = 100'000;
+    const std::size_t stride = instants.size() / mostPoints + 1;
+    std::vector<Eigen::Vector2d> path;
+    for (const MotionStretch &motion : motions) {
+        for (std::size_t i = motion.first; i <= motion.last; i += stride)
+            path.push_back(instants[i].point->position);
+    }
+    if (const auto circle = fitCircle(path))
+        metrics.push_back({"circle_radius", "m", circle->radiusM,
+                           std::hypot(circle->sigmaRadiusM, scale * circle->radiusM)});
+}
+
+/// The fastest turn beyond doubt: by its rate less twice its σ, as of a curve's largest value.
+Figure fastestTurn(const std::vector<RunInstant> &instants, const std::vector<MotionStretch> &motions)
+{
+    Figure fastest;
+    double surest = -std::numeric_limits<double>::infinity();
+    for (const MotionStretch &motion : motions) {
+        for (std::size_t i = motion.first; i <= motion.last; ++i) {
+            const auto course = courseOf(*instants[i].point);
+            if (!course || std::abs(course->turnRateRadps) - 2 * course->sigmaTurnRateRadps <= surest)
+                continue;
+            fastest = {std::abs(course->turnRateRadps), course->sigmaTurnRateRadps};
+            surest = fastest.value - 2 * fastest.sigma;
+        }
+    }
+    return fastest;
+}
+
+} // namespace
+
+std::vector<Metric> measureRun(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points)
+{
+    return measureRun(validInstants(samples, points));
+}
+
+std::vector<Metric> measureRun(const std::vector<RunInstant> &instants)
+{
+    if (instants.empty())
+        return {};
+    const std::vector<MotionStretch> motions = findMotions(instants);
+    const double scale = sigmaScale(instants);
+    std::vector<Metric> course;
+    addCourse(course, instants, motions, scale);
+
+    // A speed scales with lengths; next to its σ the calibration's error of scale is small, but it is there.
+    const auto scaled = [&](const char *name, const char *unit, Figure figure) {
+        return Metric{name, unit, figure.value, std::hypot(figure.sigma, scale * figure.value)};
+    };
+    const auto at = [](const RunInstant &instant, Curve curve) {
+        return Figure{instant.point->*curve.value, instant.point->*curve.sigma};
+    };
+    const Figure turn = fastestTurn(instants, motions); // an angle has no scale
+    std::vector<Metric> metrics{
+        course[0],
+        course[1],
+        course[2],
+        scaled("max_speed", "m/s", at(largest(instants, speedCurve), speedCurve)),
+        scaled("rms_speed", "m/s", rootMeanSquare(instants, motions, speedCurve)),
+        scaled("max_accel", "m/s²", at(largest(instants, accelCurve), accelCurve)),
+        scaled("rms_accel", "m/s²", rootMeanSquare(instants, motions, accelCurve)),
+        course[3],
+        course[4],
+        course[5],
+        course[6],
+        scaled("median_speed", "m/s", percentile(instants, motions, speedCurve, 0.5)),
+        scaled("p95_speed", "m/s", percentile(instants, motions, speedCurve, 0.95)),
+        scaled("p95_accel", "m/s²", percentile(instants, motions, accelCurve, 0.95)),
+        {"max_turn_rate", "rad/s", turn.value, turn.sigma},
+    };
+    addCircle(metrics, instants, motions, scale);
+    return metrics;
+}
+
+double sigmaOfScale(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points)
+{
+    const std::vector<RunInstant> instants = validInstants(samples, points);
+    return instants.empty() ? 0 : sigmaScale(instants);
+}
+
+namespace {
+
+constexpr std::size_t fewestPoints = 10;
+constexpr double leastTurnRad = 2 * std::numbers::pi / 3;
+constexpr double largestRelativeRms = 0.03;
+constexpr int steps = 10;
+
+/// |p − c|² = R² is linear in c and R² − |c|².
+Eigen::Vector3d algebraicCircle(std::span<const Eigen::Vector2d> path, const Eigen::Vector2d &origin)
+{
+    Eigen::MatrixX3d rows(path.size(), 3);
+    Eigen::VectorXd squares(path.size());
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const Eigen::Vector2d p = path[i] - origin;
+        rows.row(static_cast<Eigen::Index>(i)) << 2 * p.x(), 2 * p.y(), 1;
+        squares[static_cast<Eigen::Index>(i)] = p.squaredNorm();
+    }
+    const Eigen::Vector3d solved = rows.colPivHouseholderQr().solve(squares);
+    return {solved.x() + origin.x(), solved.y() + origin.y(),
+            std::sqrt(std::max(0.0, solved.z() + solved.head<2>().squaredNorm()))};
+}
+
+/// How many neighbours share one error.
+double correlatedPoints(const std::vector<double> &distances)
+{
+    double variance = 0;
+    for (const double d : distances)
+        variance += d * d;
+    double sum = 1;
+    for (std::size_t lag = 1; variance > 0 && lag < distances.size() / 2; ++lag) {
+        double product = 0;
+        for (std::size_t i = lag; i < distances.size(); ++i)
+            product += distances[i] * distances[i - lag];
+        if (product <= 0)
+            break;
+        sum += 2 * product / variance;
+    }
+    return sum;
+}
+
+double turnOf(std::span<const Eigen::Vector2d> path, const Eigen::Vector2d &centre)
+{
+    double turn = 0;
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        const Eigen::Vector2d a = path[i - 1] - centre, b = path[i] - centre;
+        turn += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+    }
+    return std::abs(turn);
+}
+
+} // namespace
+
+std::optional<CircleFit> fitCircle(std::span<const Eigen::Vector2d> path)
+{
+    if (path.size() < fewestPoints)
+        return std::nullopt;
+    Eigen::Vector2d origin = Eigen::Vector2d::Zero();
+    for (const Eigen::Vector2d &point : path)
+        origin += point / static_cast<double>(path.size());
+    Eigen::Vector3d circle = algebraicCircle(path, origin);
+    std::vector<double> distances(path.size());
+    Eigen::Matrix3d normal;
+    for (int step = 0; step < steps; ++step) {
+        normal.setZero();
+        Eigen::Vector3d right = Eigen::Vector3d::Zero();
+        for (std::size_t i = 0; i < path.size(); ++i) {
+            const Eigen::Vector2d outwards = path[i] - circle.head<2>();
+            const double radius = outwards.norm();
+            if (!(radius > 0))
+                return std::nullopt;
+            const Eigen::Vector3d slope(outwards.x() / radius, outwards.y() / radius, 1);
+            distances[i] = radius - circle.z();
+            normal += slope * slope.transpose();
+            right += slope * distances[i];
+        }
+        circle += normal.ldlt().solve(right);
+        if (!circle.allFinite())
+            return std::nullopt;
+    }
+    CircleFit fit;
+    fit.centre = circle.head<2>();
+    fit.radiusM = circle.z();
+    double squares = 0;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        distances[i] = (path[i] - fit.centre).norm() - fit.radiusM;
+        squares += distances[i] * distances[i];
+    }
+    fit.rmsM = std::sqrt(squares / static_cast<double>(path.size() - 3));
+    const Eigen::Matrix3d inverse = normal.ldlt().solve(Eigen::Matrix3d::Identity());
+    fit.sigmaRadiusM = fit.rmsM * std::sqrt(std::max(0.0, inverse(2, 2)) * correlatedPoints(distances));
+    if (!(fit.radiusM > 0) || fit.rmsM > largestRelativeRms * fit.radiusM ||
+        turnOf(path, fit.centre) < leastTurnRad)
+        return std::nullopt;
+    return fit;
+}
+
+namespace {
+
+} // namespace
+
+const Curve speedCurve{&ProfilePoint::speedMps, &ProfilePoint::sigmaSpeedMps, [](const RunInstant &instant) {
+                           const double whole = sigmaOfPosition(*instant.point),
+                                        common = instant.commonSigmaM;
+                           return std::sqrt(std::max(0.0, whole * whole - common * common));
+                       }};
+const Curve accelCurve{&ProfilePoint::accelMps2, &ProfilePoint::sigmaAccelMps2,
+                       [](const RunInstant &instant) { return instant.point->sigmaSpeedMps; }};
+
+Figure rootMeanSquare(const std::vector<RunInstant> &instants, const std::vector<MotionStretch> &motions,
+                      Curve curve)
+{
+    double squares = 0, errors = 0, count = 0;
+    for (const MotionStretch &motion : motions) {
+        for (std::size_t i = motion.first; i <= motion.last; ++i) {
+            const ProfilePoint &point = *instants[i].point;
+            squares += std::pow(point.*curve.value, 2);
+            errors += std::abs(point.*curve.value) * point.*curve.sigma;
+            count += 1;
+        }
+    }
+    if (count == 0 || squares == 0)
+        return {};
+    const double value = std::sqrt(squares / count);
+    return {value, errors / count / value};
+}
+
+namespace {
+
+/// An instant's value with the time that it stands for.
+struct Weighted
+{
+    double value = 0, seconds = 0;
+};
+
+/// Sorts the values.
+double weightedPercentile(std::vector<Weighted> &values, double share)
+{
+    std::sort(values.begin(), values.end(),
+              [](const Weighted &a, const Weighted &b) { return a.value < b.value; });
+    double total = 0;
+    for (const Weighted &one : values)
+        total += one.seconds;
+    // Each value stands at the middle of its time; between two the curve is taken as straight.
+    double reached = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double middle = reached + values[i].seconds / 2;
+        if (middle >= share * total) {
+            if (i == 0)
+                return values[0].value;
+            const double before = reached - values[i - 1].seconds / 2;
+            const double part = middle > before ? (share * total - before) / (middle - before) : 1.0;
+            return values[i - 1].value + part * (values[i].value - values[i - 1].value);
+        }
+        reached += values[i].seconds;
+    }
+    return values.back().value;
+}
+
+} // namespace
+
+Figure percentile(const std::vector<RunInstant> &instants, const std::vector<MotionStretch> &motions,
+                  Curve curve, double share)
+{
+    std::vector<Weighted> values;
+    values.reserve(instants.size());
+    for (const MotionStretch &motion : motions) {
+        for (std::size_t i = motion.first; i <= motion.last; ++i) {
+            const double from = instants[i == motion.first ? i : i - 1].timeS;
+            const double to = instants[i == motion.last ? i : i + 1].timeS;
+            const ProfilePoint &point = *instants[i].point;
+            values.push_back({point.*curve.value, (to - from) / 2});
+        }
+    }
+    if (values.empty())
+        return {};
+    const double value = weightedPercentile(values, share);
+    double seconds = 0, variance = 0;
+    for (const MotionStretch &motion : motions) {
+        double stretch = 0; // how long the curve stays next to the value
+        for (std::size_t i = motion.first; i <= motion.last; ++i) {
+            const ProfilePoint &point = *instants[i].point;
+            const double sigma = point.*curve.sigma;
+            const bool near = std::abs(point.*curve.value - value) <= sigmasNearPercentile * sigma;
+            if (near)
+                stretch += instants[i].timeS - instants[i > motion.first ? i - 1 : i].timeS;
+            if (stretch > 0 && (!near || i == motion.last)) {
+                const double ofMean = std::sqrt(2.0) * curve.sigmaOfIntegral(instants[i]) / stretch;
+                seconds += stretch;
+                variance += std::pow(stretch * std::min(sigma, ofMean), 2);
+                stretch = 0;
+            }
+        }
+    }
+    if (seconds > 0)
+        return {value, std::sqrt(variance) / seconds};
+    const ProfilePoint *nearest = instants[motions.front().first].point;
+    for (const MotionStretch &motion : motions) {
+        for (std::size_t i = motion.first; i <= motion.last; ++i) {
+            const ProfilePoint &point = *instants[i].point;
+            if (std::abs(point.*curve.value - value) < std::abs(nearest->*curve.value - value))
+                nearest = &point;
+        }
+    }
+    return {value, nearest->*curve.sigma};
+}
+
+const RunInstant &largest(const std::vector<RunInstant> &instants, Curve curve)
+{
+    const auto sure = [&](const RunInstant &instant) {
+        return instant.point->*curve.value - 2 * (instant.point->*curve.sigma);
+    };
+    return *std::max_element(instants.begin(), instants.end(),
+                             [&](const RunInstant &a, const RunInstant &b) { return sure(a) < sure(b); });
+}
+
+} // namespace odo

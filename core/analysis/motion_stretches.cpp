@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/analysis/motion_stretches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace odo {
+
+namespace {
+
+constexpr double sigmasAboveRest = 3;
+constexpr std::size_t shortestMotion = 3; // points
+constexpr double longestCorrelationS = 1;
+
+double excess(const RunInstant &instant)
+{
+    return instant.point->speedMps - instant.thresholdMps;
+}
+
+/// The moment between two neighbours where the speed crosses the threshold.
+double crossing(const RunInstant &a, const RunInstant &b)
+{
+    const double from = excess(a), to = excess(b);
+    const double fraction = from == to ? 0.5 : std::clamp(from / (from - to), 0.0, 1.0);
+    return a.timeS + fraction * (b.timeS - a.timeS);
+}
+
+} // namespace
+
+void appendInstants(std::span<const Sample> samples, std::span<const ProfilePoint> points,
+                    double &commonSigmaM, std::vector<RunInstant> &instants)
+{
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (samples[i].position && !isRejected(samples[i].flags))
+            commonSigmaM = std::sqrt(std::max(0.0, samples[i].commonCovariance.trace() / 2));
+        if (points[i].valid)
+            instants.push_back({toSeconds(samples[i].time), &points[i],
+                                std::max(leastMovingMps, sigmasAboveRest * points[i].sigmaSpeedMps),
+                                commonSigmaM});
+    }
+}
+
+std::vector<RunInstant> validInstants(const std::vector<Sample> &samples,
+                                      const std::vector<ProfilePoint> &points)
+{
+    std::vector<RunInstant> instants;
+    instants.reserve(points.size());
+    double commonSigmaM = 0;
+    appendInstants(samples, points, commonSigmaM, instants);
+    return instants;
+}
+
+std::vector<MotionStretch> findMotions(const std::vector<RunInstant> &instants)
+{
+    std::vector<MotionStretch> motions;
+    for (std::size_t i = 0; i < instants.size();) {
+        if (excess(instants[i]) <= 0) {
+            ++i;
+            continue;
+        }
+        std::size_t last = i;
+        while (last + 1 < instants.size() && excess(instants[last + 1]) > 0)
+            ++last;
+        if (last + 1 - i >= shortestMotion) {
+            const double start = i > 0 ? crossing(instants[i - 1], instants[i]) : instants[i].timeS;
+            const double stop = last + 1 < instants.size() ? crossing(instants[last], instants[last + 1])
+                                                           : instants[last].timeS;
+            motions.push_back({i, last, start, stop});
+        }
+        i = last + 1;
+    }
+    return motions;
+}
+
+double sigmaOfMoment(const std::vector<RunInstant> &instants, std::size_t at)
+{
+    const RunInstant &instant = instants[at];
+    const double steepness = std::max(instant.point->accelMps2, instant.point->sigmaAccelMps2);
+    const double step = instants.size() < 2        ? 0.0
+                        : at + 1 < instants.size() ? instants[at + 1].timeS - instant.timeS
+                                                   : instant.timeS - instants[at - 1].timeS;
+    if (steepness <= 0)
+        return step;
+    return std::min(instant.point->sigmaSpeedMps / steepness, 10 * step);
+}
+
+double correlationTimeS(const RunInstant &instant)
+{
+    const double position = sigmaOfPosition(*instant.point);
+    const double own =
+        std::sqrt(std::max(0.0, position * position - instant.commonSigmaM * instant.commonSigmaM));
+    const double speed = instant.point->sigmaSpeedMps;
+    return speed > 0 ? std::min(longestCorrelationS, std::sqrt(2 * std::numbers::pi) * own / speed) : 0;
+}
+
+double sigmaOfPosition(const ProfilePoint &point)
+{
+    return std::sqrt((std::pow(point.sigmaXM, 2) + std::pow(point.sigmaYM, 2)) / 2);
+}
+
+std::vector<double> waysOf(const MotionStretch &motion, const std::vector<RunInstant> &instants)
+{
+    const auto speed = [&](std::size_t i) { return instants[i].point->speedMps; };
+    const RunInstant &first = instants[motion.first];
+    double way = (first.thresholdMps + speed(motion.first)) / 2 * (first.timeS - motion.startS);
+    std::vector<double> ways{way};
+    for (std::size_t i = motion.first; i < motion.last; ++i) {
+        way += (speed(i) + speed(i + 1)) / 2 * (instants[i + 1].timeS - instants[i].timeS);
+        ways.push_back(way);
+    }
+    return ways;
+}
+
+double lengthOf(const MotionStretch &motion, const std::vector<RunInstant> &instants)
+{
+    const RunInstant &last = instants[motion.last];
+    return waysOf(motion, instants).back() +
+           (last.thresholdMps + last.point->speedMps) / 2 * (motion.stopS - last.timeS);
+}
+
+std::vector<double> drivenWay(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points)
+{
+    std::vector<double> ways(samples.size(), 0);
+    const std::vector<RunInstant> instants = validInstants(samples, points);
+    const auto sampleOf = [&](std::size_t instant) {
+        return static_cast<std::size_t>(instants[instant].point - points.data());
+    };
+    double before = 0;
+    std::size_t next = 0; // first sample whose way is not set
+    for (const MotionStretch &motion : findMotions(instants)) {
+        const std::vector<double> own = waysOf(motion, instants);
+        for (std::size_t i = motion.first; i <= motion.last; ++i) {
+            const std::size_t sample = sampleOf(i);
+            // A point that is not valid has the way of the one before it.
+            std::fill(ways.begin() + static_cast<std::ptrdiff_t>(next),
+                      ways.begin() + static_cast<std::ptrdiff_t>(sample),
+                      i > motion.first ? before + own[i - 1 - motion.first] : before);
+            ways[sample] = before + own[i - motion.first];
+            next = sample + 1;
+        }
+        before += lengthOf(motion, instants);
+    }
+    std::fill(ways.begin() + static_cast<std::ptrdiff_t>(next), ways.end(), before);
+    return ways;
+}
+
+namespace {
+
+double correlationOf(const Sample &sample)
+{
+    const double product = sample.covariance(0, 0) * sample.covariance(1, 1);
+    return sample.position && product > 0
+               ? std::clamp(sample.covariance(0, 1) / std::sqrt(product), -1.0, 1.0)
+               : 0;
+}
+
+} // namespace
+
+std::vector<MeasuredPlace> measuredPlaces(const std::vector<Sample> &samples,
+                                          const std::vector<ProfilePoint> &points)
+{
+    std::vector<MeasuredPlace> places;
+    Eigen::Matrix2d common = Eigen::Matrix2d::Zero(); // of the last used sample
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (samples[i].position && !isRejected(samples[i].flags))
+            common = samples[i].commonCovariance;
+        if (!points[i].valid)
+            continue;
+        MeasuredPlace place;
+        place.timeS = toSeconds(samples[i].time);
+        place.point = &points[i];
+        place.common = common;
+        const double x = std::max(0.0, std::pow(points[i].sigmaXM, 2) - common(0, 0));
+        const double y = std::max(0.0, std::pow(points[i].sigmaYM, 2) - common(1, 1));
+        const double both = correlationOf(samples[i]) * std::sqrt(x * y);
+        place.own << x, both, both, y;
+        place.joined = i > 0 && points[i - 1].valid;
+        places.push_back(place);
+    }
+    return places;
+}
+
+double sigmaAlong(const Eigen::Matrix2d &covariance, const Eigen::Vector2d &direction)
+{
+    return std::sqrt(std::max(0.0, direction.dot(covariance * direction)));
+}
+
+} // namespace odo

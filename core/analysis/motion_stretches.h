@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/analysis/profile.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace odo {
+
+/// One valid point of a profile with its time. point refers to the profile it was made from.
+struct RunInstant
+{
+    double timeS = 0;
+    const ProfilePoint *point = nullptr;
+    double thresholdMps = 0; ///< above it the robot counts as moving
+    double commonSigmaM = 0; ///< of the position, from the calibration alone
+};
+
+/// A stretch of motion: first and last instant above the threshold, and the interpolated moments of crossing
+/// it.
+struct MotionStretch
+{
+    std::size_t first = 0, last = 0;
+    double startS = 0, stopS = 0;
+};
+
+/// The valid points in order of time.
+std::vector<RunInstant> validInstants(const std::vector<Sample> &samples,
+                                      const std::vector<ProfilePoint> &points);
+/// Those of a part of a run, behind the ones before. commonSigmaM: of the last used sample so far, 0 at
+/// first.
+void appendInstants(std::span<const Sample> samples, std::span<const ProfilePoint> points,
+                    double &commonSigmaM, std::vector<RunInstant> &instants);
+
+/// No robot moves more slowly.
+inline constexpr double leastMovingMps = 0.02;
+
+/// Where the robot moves: faster than leastMovingMps and than three σ of the speed, for at least three
+/// instants.
+std::vector<MotionStretch> findMotions(const std::vector<RunInstant> &instants);
+
+/// σ of the moment of crossing the threshold next to an instant: the speed's σ over its steepness, at most
+/// what the neighbours leave open.
+double sigmaOfMoment(const std::vector<RunInstant> &instants, std::size_t at);
+
+/// For how long the errors of a smoothed track go together, seconds: an error of the size σ whose rate is
+/// that of the speed's changes within σ/σᵥ; times √2π it is the integral of a correlation of Gaussian shape.
+double correlationTimeS(const RunInstant &instant);
+
+/// σ of the position, mean of both axes, the calibration's part included.
+double sigmaOfPosition(const ProfilePoint &point);
+
+/// The way driven from the start of a stretch of motion to each of its instants, metres: the integral of the
+/// speed by the trapezoidal rule, with the ramp from the threshold to the first instant. As long as the
+/// stretch.
+std::vector<double> waysOf(const MotionStretch &motion, const std::vector<RunInstant> &instants);
+
+/// The length of a stretch of motion: waysOf and the ramp at its end, metres.
+double lengthOf(const MotionStretch &motion, const std::vector<RunInstant> &instants);
+
+/// The way that was driven up to each sample, metres; it never falls, and ends with the metric path_length.
+/// While the robot stands, and where its points are not valid, it stays. As long as samples.
+std::vector<double> drivenWay(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points);
+
+/// One valid point of a profile with the covariance of its position in its two parts: the track's own, which
+/// changes along it, and the calibration's, common to all of it. m², world frame.
+struct MeasuredPlace
+{
+    double timeS = 0;
+    const ProfilePoint *point = nullptr; ///< refers to the profile it was made from
+    Eigen::Matrix2d own = Eigen::Matrix2d::Zero(), common = Eigen::Matrix2d::Zero();
+    bool joined = false; ///< the point before it is valid too: no gap between
+};
+
+/// The valid points in order of time, as validInstants gives them. A profile keeps σ of x and y alone: how
+/// their errors go together is taken from the measurement at the same time.
+std::vector<MeasuredPlace> measuredPlaces(const std::vector<Sample> &samples,
+                                          const std::vector<ProfilePoint> &points);
+
+/// σ of a position along a unit vector.
+double sigmaAlong(const Eigen::Matrix2d &covariance, const Eigen::Vector2d &direction);
+
+/// The cubic through two values with their rates, over a step of time (Hermite). part runs from 0 to 1 over
+/// the step.
+struct CubicStep
+{
+    double from = 0, to = 0, rateFrom = 0, rateTo = 0, stepS = 0;
+
+    double value(double part) const
+    {
+        const double rest = 1 - part;
+        return rest * rest * ((1 + 2 * part) * from + part * stepS * rateFrom) +
+               part * part * ((1 + 2 * rest) * to - rest * stepS * rateTo);
+    }
+    double rate(double part) const
+    {
+        return 6 * part * (1 - part) * (to - from) / stepS + (1 - part) * (1 - 3 * part) * rateFrom +
+               part * (3 * part - 2) * rateTo;
+    }
+    /// The part at which it is zero; from and to have different signs.
+    double root() const
+    {
+        double low = 0, high = 1;
+        for (int i = 0; i < 50; ++i) {
+            const double middle = (low + high) / 2;
+            ((value(middle) > 0) == (to > 0) ? high : low) = middle;
+        }
+        return (low + high) / 2;
+    }
+};
+
+} // namespace odo

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/analysis/quantity_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace odo {
+
+namespace {
+
+using Values = std::vector<std::optional<CurveValue>>;
+
+double alongPath(const ProfilePoint &point, const Eigen::Vector2d &acceleration)
+{
+    constexpr double standing = 1e-9;
+    const double speed = point.velocity.norm();
+    return speed > standing ? acceleration.dot(point.velocity) / speed : acceleration.norm();
+}
+
+/// All samples from `reach` before to `reach` after are used.
+bool areUsed(const Profile &profile, std::size_t i, std::size_t reach)
+{
+    if (i < reach || i + reach >= profile.samples.size())
+        return false;
+    for (std::size_t k = i - reach; k <= i + reach; ++k)
+        if (!isUsed(profile.samples[k]))
+            return false;
+    return true;
+}
+
+std::optional<Eigen::Vector2d> measuredVelocity(const Profile &profile, std::size_t i)
+{
+    if (i == 0 || i + 1 >= profile.samples.size())
+        return std::nullopt;
+    const Sample &before = profile.samples[i - 1], &after = profile.samples[i + 1];
+    if (!before.position || !after.position || after.time <= before.time)
+        return std::nullopt;
+    return (*after.position - *before.position) / toSeconds(after.time - before.time);
+}
+
+std::optional<CurveValue> measuredAcceleration(const Profile &profile, std::size_t i)
+{
+    if (!areUsed(profile, i, 2) || !profile.points[i].valid)
+        return std::nullopt;
+    const auto at = [&](std::size_t k) { return *profile.samples[k].position; };
+    const double step = toSeconds(profile.samples[i + 2].time - profile.samples[i - 2].time) / 4;
+    if (step <= 0)
+        return std::nullopt;
+    const Eigen::Vector2d change = 2 * at(i + 2) - at(i + 1) - 2 * at(i) - at(i - 1) + 2 * at(i - 2);
+    return CurveValue{alongPath(profile.points[i], change / (7 * step * step)), 0};
+}
+
+/// Of all angles that are the same direction the one next to the smoothed heading.
+std::optional<CurveValue> measuredHeading(const Profile &profile, std::size_t i,
+                                          const std::optional<Heading> &smoothed)
+{
+    if (!smoothed || !smoothed->sigmaRad || !areUsed(profile, i, 1))
+        return std::nullopt;
+    const auto velocity = measuredVelocity(profile, i);
+    if (!velocity || velocity->isZero())
+        return std::nullopt;
+    const double angle = std::atan2(velocity->y(), velocity->x());
+    return CurveValue{smoothed->radians + std::remainder(angle - smoothed->radians, 2 * std::numbers::pi), 0};
+}
+
+} // namespace
+
+Values quantityValues(const Profile &profile, Quantity quantity)
+{
+    Values values(profile.points.size());
+    const auto headings =
+        quantity == Quantity::Heading ? headingsOf(profile.points) : std::vector<std::optional<Heading>>();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const ProfilePoint &point = profile.points[i];
+        if (!point.valid)
+            continue;
+        switch (quantity) {
+        case Quantity::Speed:
+            values[i] = {point.speedMps, point.sigmaSpeedMps};
+            break;
+        case Quantity::Acceleration:
+            values[i] = {alongPath(point, point.acceleration), point.sigmaAccelMps2};
+            break;
+        case Quantity::Heading:
+            if (headings[i])
+                values[i] = {headings[i]->radians, headings[i]->sigmaRad.value_or(0)};
+            break;
+        case Quantity::TurnRate:
+            if (const auto course = courseOf(point))
+                values[i] = {course->turnRateRadps, course->sigmaTurnRateRadps};
+            break;
+        case Quantity::PositionX:
+            values[i] = {point.position.x(), point.sigmaXM};
+            break;
+        case Quantity::PositionY:
+            values[i] = {point.position.y(), point.sigmaYM};
+            break;
+        }
+    }
+    return values;
+}
+
+Values measuredValues(const Profile &profile, Quantity quantity)
+{
+    Values values(profile.samples.size());
+    const auto headings =
+        quantity == Quantity::Heading ? headingsOf(profile.points) : std::vector<std::optional<Heading>>();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const Sample &sample = profile.samples[i];
+        const int axis = quantity == Quantity::PositionX ? 0 : 1;
+        switch (quantity) {
+        case Quantity::Speed:
+            if (const auto speed = areUsed(profile, i, 1) ? measuredSpeed(profile, i) : std::nullopt)
+                values[i] = {*speed, 0};
+            break;
+        case Quantity::Acceleration:
+            values[i] = measuredAcceleration(profile, i);
+            break;
+        case Quantity::Heading:
+            values[i] = measuredHeading(profile, i, headings[i]);
+            break;
+        case Quantity::TurnRate:
+            break;
+        case Quantity::PositionX:
+        case Quantity::PositionY:
+            if (isUsed(sample))
+                values[i] = {(*sample.position)[axis],
+                             std::sqrt(std::max(0.0, sample.covariance(axis, axis)))};
+            break;
+        }
+    }
+    return values;
+}
+
+std::optional<double> measuredSpeed(const Profile &profile, std::size_t sample)
+{
+    const auto velocity = measuredVelocity(profile, sample);
+    return velocity ? std::optional(velocity->norm()) : std::nullopt;
+}
+
+namespace {
+
+constexpr double sigmasForCourse = 3;
+
+double unwrapped(double angle, double last)
+{
+    return last + std::remainder(angle - last, 2 * std::numbers::pi);
+}
+
+} // namespace
+
+std::optional<Course> courseOf(const ProfilePoint &point)
+{
+    const Eigen::Vector2d &v = point.velocity, &a = point.acceleration;
+    const double speed = v.norm();
+    if (!point.valid || !v.allFinite() || !(speed > sigmasForCourse * point.sigmaSpeedMps))
+        return std::nullopt;
+    Course course;
+    course.headingRad = std::atan2(v.y(), v.x());
+    course.sigmaHeadingRad = point.sigmaSpeedMps / speed;
+    course.turnRateRadps = (v.x() * a.y() - v.y() * a.x()) / (speed * speed);
+    course.sigmaTurnRateRadps =
+        std::hypot(point.sigmaAccelMps2 / speed, a.norm() * point.sigmaSpeedMps / (speed * speed));
+    return course;
+}
+
+std::vector<std::optional<Heading>> headingsOf(const std::vector<ProfilePoint> &points)
+{
+    std::vector<std::optional<Heading>> headings(points.size());
+    std::optional<double> last;
+    for (const ProfilePoint &point : points) {
+        if (const auto course = courseOf(point)) {
+            last = course->headingRad;
+            break;
+        }
+    }
+    if (!last)
+        return headings;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!points[i].valid)
+            continue;
+        const auto course = courseOf(points[i]);
+        if (course)
+            last = unwrapped(course->headingRad, *last);
+        headings[i] = Heading{*last, course ? std::optional(course->sigmaHeadingRad) : std::nullopt};
+    }
+    return headings;
+}
+
+} // namespace odo

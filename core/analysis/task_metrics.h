@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/analysis/profile.h"
+#include "core/analysis/task.h"
+
+#include <string>
+#include <vector>
+
+namespace odo {
+
+/// What a task adds to a run's figures.
+struct TaskFigures
+{
+    std::vector<GatePassage> passages;
+    std::vector<Metric> metrics;
+};
+
+/// Times at the gates, and how well the reference path was kept; of each only what the task has and the run
+/// gave. Metrics, in this order: with a start and a finish apart gate_time (s, the first whole run); with one
+/// gate for both laps (1), best_lap and mean_lap (s); with a path cross_track_mean, cross_track_rms,
+/// cross_track_max (mm, of the distance without its sign), cross_track_bias (mm, its mean with it, to the
+/// left positive) and path_completed (1); with zones those of measureZones. Distances are weighted by the way
+/// driven, while the robot moves and is not beyond an end of the path; the maximum is the largest beyond
+/// doubt. σ of a distance figure: the track's own noise by first order with its correlation along the run,
+/// what that noise alone adds to a mean of magnitudes and by choice to a maximum, and the calibration's part
+/// as if it went together everywhere.
+TaskFigures measureTask(const Task &task, const std::vector<Sample> &samples,
+                        const std::vector<ProfilePoint> &points);
+
+/// A stretch in which the robot's centre was where a zone's rule does not want it: outside of a zone to stay
+/// in, inside of one to keep out of.
+struct ZoneBreach
+{
+    std::string zone;           ///< its name
+    Nanoseconds from{0}, to{0}; ///< since the first view's first frame, interpolated between frames
+    Nanoseconds deepest{0};     ///< when it was furthest from where it should have been
+    double depthM = 0;          ///< how far that was, to the zone's edge
+    double sigmaDepthM = 0;     ///< all of it
+};
+
+/// Breaches of all zones by the smoothed track, in order of their beginnings. A breach is beyond doubt:
+/// somewhere in it the centre is beyond the edge by more than three σ of the track's own noise (and 0.5 mm).
+/// Where the profile has a gap nothing is judged: a breach ends before it.
+std::vector<ZoneBreach> findZoneBreaches(const std::vector<Zone> &zones, const std::vector<Sample> &samples,
+                                         const std::vector<ProfilePoint> &points);
+
+/// Figures of the zones, all three where there is any zone: zone_breaches (1), zone_time (s, in breaches; in
+/// two zones at once it counts twice) and zone_depth (mm, of the deepest one, 0 without any). σ of the time:
+/// half of what it differs by when all edges lie by the calibration's σ further in or out, and at each end of
+/// a breach the track's own noise over the speed across the edge, as independent. σ of a depth of 0 is not
+/// known.
+std::vector<Metric> measureZones(const std::vector<Zone> &zones, const std::vector<Sample> &samples,
+                                 const std::vector<ProfilePoint> &points);
+
+/// How far a point lies within a zone, from its nearest edge; below zero: outside of it.
+double depthWithin(const Zone &zone, const Eigen::Vector2d &point);
+
+} // namespace odo

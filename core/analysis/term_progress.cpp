@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/analysis/term_progress.h"
+
+#include "core/analysis/internal/run_comparison.h"
+#include "core/base/percentile.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+namespace odo {
+
+namespace {
+
+double meanOf(const std::vector<double> &values)
+{
+    double sum = 0;
+    for (const double value : values)
+        sum += value;
+    return sum / static_cast<double>(values.size());
+}
+
+double squaresAbout(double mean, const std::vector<double> &values)
+{
+    double sum = 0;
+    for (const double value : values)
+        sum += (value - mean) * (value - mean);
+    return sum;
+}
+
+} // namespace
+
+double studentT95(int degrees)
+{
+    constexpr double share = 0.05; // in both tails together
+    if (degrees == 1)
+        return 1 / std::tan(share * std::numbers::pi / 2);
+    if (degrees == 2)
+        return std::sqrt(2 / (share * (2 - share)) - 2);
+    constexpr double z = significanceFactor;
+    const double n = degrees, z2 = z * z;
+    const double g1 = z * (z2 + 1) / 4;
+    const double g2 = z * ((5 * z2 + 16) * z2 + 3) / 96;
+    const double g3 = z * (((3 * z2 + 19) * z2 + 17) * z2 - 15) / 384;
+    const double g4 = z * ((((79 * z2 + 776) * z2 + 1482) * z2 - 1920) * z2 - 945) / 92160;
+    return z + (g1 + (g2 + (g3 + g4 / n) / n) / n) / n;
+}
+
+TermProgress termProgress(const std::vector<TermFigure> &figures, bool isLessBetter)
+{
+    std::vector<double> days, values;
+    for (const TermFigure &figure : figures) {
+        days.push_back(figure.day);
+        values.push_back(figure.value);
+    }
+    TermProgress progress;
+    progress.count = static_cast<int>(figures.size());
+    progress.best = isLessBetter ? std::ranges::min(values) : std::ranges::max(values);
+    progress.median = median(values);
+    const double day = meanOf(days), value = meanOf(values);
+    progress.atStart = value;
+    if (figures.size() < 2)
+        return progress;
+    const double daySquares = squaresAbout(day, days);
+    if (figures.size() < 3 || daySquares <= 0) {
+        progress.spread = std::sqrt(squaresAbout(value, values) / (progress.count - 1));
+        return progress;
+    }
+    double slope = 0;
+    for (const TermFigure &figure : figures)
+        slope += (figure.day - day) * (figure.value - value) / daySquares;
+    double left = 0;
+    for (const TermFigure &figure : figures) {
+        const double off = figure.value - value - slope * (figure.day - day);
+        left += off * off;
+    }
+    const int degrees = progress.count - 2;
+    progress.spread = std::sqrt(left / degrees);
+    const auto [first, last] = std::ranges::minmax(days);
+    progress.atStart = value + slope * (first - day);
+    progress.change =
+        Figure{slope * (last - first), *progress.spread / std::sqrt(daySquares) * (last - first)};
+    progress.isBeyondSpread = std::abs(progress.change->value) > studentT95(degrees) * progress.change->sigma;
+    return progress;
+}
+
+void rankTeams(std::vector<TeamFigures> &teams, bool isLessBetter)
+{
+    double squares = 0;
+    std::size_t degrees = 0;
+    for (const TeamFigures &team : teams) {
+        if (team.values.empty())
+            continue;
+        squares += squaresAbout(meanOf(team.values), team.values);
+        degrees += team.values.size() - 1;
+    }
+    const double spread = degrees > 0 ? std::sqrt(squares / static_cast<double>(degrees)) : 0;
+    for (TeamFigures &team : teams) {
+        const auto count = static_cast<double>(team.values.size());
+        team.median = team.values.empty() ? 0 : median(team.values);
+        team.sigma = team.values.empty()
+                         ? 0
+                         : spread / std::sqrt(count) * (count > 2 ? std::sqrt(std::numbers::pi / 2) : 1);
+    }
+    for (TeamFigures &team : teams) {
+        const auto isAhead = [&](const TeamFigures &other) {
+            const double by = (isLessBetter ? 1 : -1) * (team.median - other.median);
+            return !other.values.empty() && by > significanceFactor * std::hypot(team.sigma, other.sigma);
+        };
+        team.rank = team.values.empty() ? 0 : 1 + static_cast<int>(std::ranges::count_if(teams, isAhead));
+    }
+}
+
+bool isLessBetter(const std::string &metric)
+{
+    static constexpr std::array<std::string_view, 14> less{
+        "duration",         "gate_time",     "best_lap",    "mean_lap",        "moving_time",
+        "standing_time",    "stops",         "path_length", "cross_track_rms", "cross_track_max",
+        "cross_track_mean", "zone_breaches", "zone_time",   "zone_depth"};
+    return std::ranges::find(less, metric) != less.end();
+}
+
+} // namespace odo

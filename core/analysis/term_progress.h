@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/analysis/metrics.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+/// A figure of one run in the course of a term.
+struct TermFigure
+{
+    double day = 0; ///< when, in days since any moment
+    double value = 0;
+};
+
+/// How a figure went through a term. Pure values.
+struct TermProgress
+{
+    int count = 0;
+    double best = 0, median = 0;
+    /// Repeatability: the standard deviation of one run about the straight line through all (with less than
+    /// three runs, or all on one moment: about their mean). nullopt for one run.
+    std::optional<double> spread;
+    /// Of the line: how much it rises from the first day to the last, its σ, and its value on the first day.
+    /// nullopt for less than three runs, or all at one moment.
+    std::optional<Figure> change;
+    double atStart = 0;
+    /// Whether the change is more than the spread of the runs explains: |change| > t σ with t of 95 % and
+    /// count − 2 degrees of freedom.
+    bool isBeyondSpread = false;
+};
+
+/// The line of least squares through the runs, each of the same weight, and the σ of its slope from what is
+/// left over (JCGM 100:2008, H.3.2, equations H.13); the test of the slope is Student's (the same, G.3.2).
+/// The runs' own σ is contained in what is left over; what they have in common (the calibration) changes no
+/// slope. isLessBetter: what best means. figures must not be empty.
+TermProgress termProgress(const std::vector<TermFigure> &figures, bool isLessBetter);
+
+/// Student's t that is exceeded in either direction in 5 of 100 cases: exact for one and two degrees of
+/// freedom, else the expansion of Cornish and Fisher (Abramowitz and Stegun 1964, 26.7.5), right to 0.003.
+/// degrees: 1 or more.
+double studentT95(int degrees);
+
+/// What one team has to be ranked by.
+struct TeamFigures
+{
+    std::vector<double> values; ///< of its runs
+    double median = 0;          ///< of them; rank
+    double sigma = 0;           ///< of the median
+    int rank = 1;               ///< one more than the number of teams that are better beyond doubt
+};
+
+/// Fills median, sigma and rank of each team. The spread of one run is taken to be the same for all teams and
+/// pooled over them (JCGM 100:2008, 4.2.4), so that a team with one run has a σ too; σ of a median of n runs
+/// is that spread times √(π/2n), of one or two runs (where it is the mean) the spread over √n. A team is
+/// better beyond doubt where the medians differ by more than 1.96 σ of their difference. Where no team has
+/// two runs there is no spread: σ is 0, and each difference counts. Empty teams have rank 0.
+void rankTeams(std::vector<TeamFigures> &teams, bool isLessBetter);
+
+/// Whether less of a figure is better, by its name: times, and being off the path; of speeds more is.
+bool isLessBetter(const std::string &metric);
+
+} // namespace odo

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/internal/calibration_checks.h"
+
+#include "core/base/units.h"
+#include "core/calibration/internal/plane_pose.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace odo {
+
+namespace {
+
+std::optional<LensFit> fitHalf(const std::vector<BoardView> &views, const LensFit &all, std::size_t half,
+                               const JobControl &control)
+{
+    std::vector<BoardView> some;
+    LensStart start{all.intrinsics, {}};
+    for (std::size_t i = half; i < views.size(); i += 2) {
+        some.push_back(views[i]);
+        start.cameraFromBoard.push_back(all.cameraFromBoard[i]);
+    }
+    return fitLens(some, start, {}, control);
+}
+
+/// Mean of the squared distances of a view's corners under a lens, the pose adapted; infinite where there is
+/// no pose.
+double meanSquares(const BoardView &view, const CameraModel &camera, const RigidTransform &cameraFromBoard)
+{
+    std::vector<PointPair> pairs;
+    for (std::size_t i = 0; i < view.pixels.size(); ++i)
+        pairs.push_back({view.pointsOnBoard[i], view.pixels[i], {}});
+    if (const auto near = refinePlanePose(pairs, camera, FocalLength::Known, cameraFromBoard.inverse()))
+        return near->rmsPx * near->rmsPx;
+    const auto pose = fitPlanePose(pairs, camera, FocalLength::Known);
+    return pose ? pose->rmsPx * pose->rmsPx : std::numeric_limits<double>::infinity();
+}
+
+} // namespace
+
+double HeldOut::focalDifference() const
+{
+    return std::abs(lenses[0].fxPx - lenses[1].fxPx) / (0.5 * (lenses[0].fxPx + lenses[1].fxPx));
+}
+
+std::optional<HeldOut> holdOut(const std::vector<BoardView> &views, const LensFit &all,
+                               const JobControl &control)
+{
+    if (views.size() < leastViewsForHalves)
+        return std::nullopt;
+    HeldOut heldOut;
+    for (std::size_t half = 0; half < 2; ++half) {
+        auto fit = fitHalf(views, all, half, control);
+        if (!fit)
+            return std::nullopt;
+        heldOut.lenses[half] = std::move(fit->intrinsics);
+    }
+    double squares = 0, count = 0;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        if (control.isCancelled())
+            return std::nullopt;
+        const auto camera = CameraModel::create(heldOut.lenses[1 - i % 2]);
+        heldOut.pictureMeanSquares.push_back(meanSquares(views[i], *camera, all.cameraFromBoard[i]));
+        if (!std::isfinite(heldOut.pictureMeanSquares.back())) {
+            ++heldOut.unforetold;
+            continue;
+        }
+        const auto corners = static_cast<double>(views[i].pixels.size());
+        squares += heldOut.pictureMeanSquares.back() * corners;
+        count += corners;
+    }
+    heldOut.rmsPx = count > 0 ? std::sqrt(squares / count) : 0;
+    return heldOut;
+}
+
+namespace {
+
+constexpr double leastTurn = 8;             // degrees between the most different poses of the board
+constexpr double doubtfulFocalSigma = 0.03; // of the focal length
+// by how much the focal length is changed to see whether the pictures mind
+constexpr double probe = 1.3;
+constexpr double leastBox = 0.15; // of the picture, that the board must have been moved over
+constexpr std::size_t leastGroup = 3;
+constexpr double suspiciousGain = 1.5, groupGain = 2; // of the sum of squares
+constexpr double leastZoom = 0.02;                    // of the focal length
+constexpr const char *tiltAdvice = "take pictures with the board tilted by 30 to 45 degrees, to each side";
+
+/// The largest angle between the board's normals of any two pictures, degrees.
+double largestTurn(const LensFit &fit)
+{
+    double least = 1;
+    for (const RigidTransform &a : fit.cameraFromBoard) {
+        for (const RigidTransform &b : fit.cameraFromBoard)
+            least = std::min(
+                least, (a.rotation * Eigen::Vector3d::UnitZ()).dot(b.rotation * Eigen::Vector3d::UnitZ()));
+    }
+    return std::acos(std::clamp(least, -1.0, 1.0)) * 180 / EIGEN_PI;
+}
+
+/// σ of the focal length over itself: the larger of the one from the curvature at the optimum and those from
+/// the misfit at other focal lengths. The curvature alone is fooled by frontal views: with 12 of them OpenCV
+/// states 0.1 % for a focal length that is wrong by a factor of 13.
+double focalSigma(const std::vector<BoardView> &views, const LensFit &fit, const JobControl &control)
+{
+    const double curvature = std::sqrt(fit.intrinsics.covariance(0, 0)) / fit.intrinsics.fxPx;
+    double sigma = curvature;
+    for (double factor : {1 / probe, probe}) {
+        LensStart start{fit.intrinsics, fit.cameraFromBoard};
+        start.intrinsics.fxPx *= factor;
+        start.intrinsics.fyPx *= factor;
+        for (RigidTransform &pose : start.cameraFromBoard)
+            pose.translation.z() *= factor; // the same size in the picture
+        const auto other = fitLens(views, start, {true, 0}, control);
+        if (!other)
+            continue;
+        const double worse =
+            std::max(0.0, other->squares - fit.squares) / (fit.sigmaPx * fit.sigmaPx + 1e-12);
+        sigma = std::max(sigma, std::abs(factor - 1) / std::sqrt(worse + 1e-12));
+    }
+    return sigma;
+}
+
+Eigen::AlignedBox2d boxOf(const std::vector<BoardView> &views)
+{
+    Eigen::AlignedBox2d box;
+    for (const BoardView &view : views) {
+        for (const Eigen::Vector2d &pixel : view.pixels)
+            box.extend(pixel);
+    }
+    return box;
+}
+
+struct OwnFocal
+{
+    std::size_t view;
+    double focalPx;
+};
+
+/// The focal length that each picture asks for by itself, ascending; pictures that cannot tell are missing.
+/// squares: the misfit that remains when each has its own.
+std::vector<OwnFocal> ownFocals(const std::vector<BoardView> &views, const LensFit &fit, double &squares)
+{
+    std::vector<OwnFocal> focals;
+    const auto camera = CameraModel::create(fit.intrinsics);
+    squares = 0;
+    for (std::size_t view = 0; view < views.size(); ++view) {
+        std::vector<PointPair> pairs;
+        for (std::size_t i = 0; i < views[view].pixels.size(); ++i)
+            pairs.push_back({views[view].pointsOnBoard[i], views[view].pixels[i], {}});
+        const auto pose = fitPlanePose(pairs, *camera, FocalLength::Free);
+        if (!pose || !pose->focalSigmaPx) {
+            squares += fit.pictureSquares[view];
+            continue;
+        }
+        squares += pose->rmsPx * pose->rmsPx * static_cast<double>(pairs.size());
+        focals.push_back({view, pose->camera.intrinsics().fxPx});
+    }
+    std::ranges::sort(focals, {}, &OwnFocal::focalPx);
+    return focals;
+}
+
+std::optional<LensFit> fitGroup(const std::vector<BoardView> &views, const LensFit &fit,
+                                const std::vector<OwnFocal> &group, const JobControl &control)
+{
+    std::vector<BoardView> some;
+    std::vector<std::size_t> withoutPose;
+    for (const OwnFocal &own : group)
+        some.push_back(views[own.view]);
+    const auto start =
+        startLens(some, fit.intrinsics.widthPx, fit.intrinsics.heightPx, fit.intrinsics.model, withoutPose);
+    return start && withoutPose.empty() ? fitLens(some, *start, {}, control) : std::nullopt;
+}
+
+} // namespace
+
+Result<void> checkOneCamera(const std::vector<BoardView> &views, const LensFit &fit,
+                            const JobControl &control)
+{
+    double ownSquares = 0;
+    const std::vector<OwnFocal> focals = ownFocals(views, fit, ownSquares);
+    if (focals.size() < 2 * leastGroup || fit.squares < suspiciousGain * ownSquares)
+        return {};
+    std::size_t split = leastGroup;
+    const auto gap = [&](std::size_t i) { return focals[i].focalPx / focals[i - 1].focalPx; };
+    for (std::size_t i = leastGroup; i + leastGroup <= focals.size(); ++i) {
+        if (gap(i) > gap(split))
+            split = i;
+    }
+    const auto middle = focals.begin() + static_cast<std::ptrdiff_t>(split);
+    const auto lower = fitGroup(views, fit, {focals.begin(), middle}, control);
+    const auto upper = fitGroup(views, fit, {middle, focals.end()}, control);
+    if (!lower || !upper)
+        return {};
+    double together = 0;
+    for (const OwnFocal &own : focals)
+        together += fit.pictureSquares[own.view];
+    const double one = lower->intrinsics.fxPx, other = upper->intrinsics.fxPx;
+    if (together < groupGain * (lower->squares + upper->squares) || std::abs(other / one - 1) < leastZoom)
+        return {};
+    return refuseCalibration(
+        "the pictures ask for two focal lengths: " + std::to_string(split) + " for about " +
+            formatNumber(one, 0) + " px, " + std::to_string(focals.size() - split) + " (such as " +
+            views[focals[split].view].source + ") for about " + formatNumber(other, 0) + " px",
+        "use pictures of one camera at one zoom and focus");
+}
+
+tl::unexpected<Error> refuseCalibration(std::string why, std::string advice)
+{
+    return fail(ErrorCode::Undetermined, calibrationWhat, std::move(why), std::move(advice));
+}
+
+std::string percentWords(double part)
+{
+    return formatNumber(100 * part, part < 0.01 ? 2 : 1) + " %";
+}
+
+double boxOfCorners(const std::vector<BoardView> &views, int widthPx, int heightPx)
+{
+    const Eigen::AlignedBox2d box = boxOf(views);
+    return box.isEmpty() ? 0 : box.volume() / (static_cast<double>(widthPx) * heightPx);
+}
+
+std::string placeOfCorners(const std::vector<BoardView> &views, int widthPx, int heightPx)
+{
+    const Eigen::AlignedBox2d box = boxOf(views);
+    if (box.isEmpty())
+        return "middle";
+    const Eigen::Vector2d middle = box.center().cwiseQuotient(Eigen::Vector2d(widthPx, heightPx));
+    const std::string row = middle.y() < 0.4 ? "upper" : middle.y() > 0.6 ? "lower" : "";
+    const std::string column = middle.x() < 0.4 ? "left" : middle.x() > 0.6 ? "right" : "";
+    if (row.empty() && column.empty())
+        return "middle";
+    return row + (row.empty() || column.empty() ? "" : " ") + column;
+}
+
+Result<void> checkPlaces(const std::vector<BoardView> &views, int widthPx, int heightPx)
+{
+    const double box = boxOfCorners(views, widthPx, heightPx);
+    if (box >= leastBox)
+        return {};
+    return refuseCalibration("all " + std::to_string(views.size()) +
+                                 " pictures show the board in one place, the " +
+                                 placeOfCorners(views, widthPx, heightPx) + " " + formatNumber(100 * box, 0) +
+                                 " % of the picture: how the lens bends elsewhere stays unknown",
+                             "show the board in the middle and near each corner of the picture, and closer");
+}
+
+Result<double> checkDetermined(const std::vector<BoardView> &views, const LensFit &fit,
+                               const std::optional<HeldOut> &halves, const JobControl &control)
+{
+    const std::string all = "all " + std::to_string(views.size()) + " pictures";
+    if (largestTurn(fit) < leastTurn)
+        return refuseCalibration(
+            all + " show the board in nearly the same attitude, which does not determine the focal length",
+            tiltAdvice);
+    const double sigma = focalSigma(views, fit, control);
+    if (control.isCancelled())
+        return cancelled(calibrationWhat);
+    if (!(sigma < doubtfulFocalSigma))
+        return refuseCalibration("the pictures determine the focal length only to " + percentWords(sigma) +
+                                     ": the board is seen too nearly frontal",
+                                 tiltAdvice);
+    if (halves && halves->focalDifference() > 3 * doubtfulFocalSigma)
+        return refuseCalibration("two halves of the pictures give focal lengths that differ by " +
+                                     percentWords(halves->focalDifference()),
+                                 tiltAdvice);
+    return sigma;
+}
+
+} // namespace odo

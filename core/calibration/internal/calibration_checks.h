@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/internal/lens_fit.h"
+
+#include <array>
+
+namespace odo {
+
+/// Under so many views halves say nothing.
+constexpr std::size_t leastViewsForHalves = 6;
+
+/// Each half of the pictures (every other one) under the lens of the other half; only the poses may adapt.
+struct HeldOut
+{
+    double rmsPx = 0;                       ///< over the corners of the pictures that can be foretold
+    std::size_t unforetold = 0;             ///< pictures that the other half's lens finds no pose for
+    std::vector<double> pictureMeanSquares; ///< px², one a picture; infinite where it is not foretold
+    std::array<Intrinsics, 2> lenses;       ///< of the even and of the odd pictures
+    double focalDifference() const;         ///< relative
+};
+
+/// all: the fit to all views, from which the halves are started. nullopt under six views, where a half led
+/// nowhere, and when cancelled.
+std::optional<HeldOut> holdOut(const std::vector<BoardView> &views, const LensFit &all,
+                               const JobControl &control);
+
+/// What the messages of a calibration begin with.
+inline constexpr const char *calibrationWhat = "the camera cannot be calibrated";
+
+tl::unexpected<Error> refuseCalibration(std::string why, std::string advice);
+
+/// "0.20 %"
+std::string percentWords(double part);
+
+/// The part of the picture that the box about all corners covers.
+double boxOfCorners(const std::vector<BoardView> &views, int widthPx, int heightPx);
+
+/// Where in the picture the middle of all corners lies: "upper left", "middle".
+std::string placeOfCorners(const std::vector<BoardView> &views, int widthPx, int heightPx);
+
+/// Refuses pictures that show the board always in the same part of the picture.
+Result<void> checkPlaces(const std::vector<BoardView> &views, int widthPx, int heightPx);
+
+/// Refuses pictures that fall into two groups which are fitted far better by a lens each, of different focal
+/// lengths.
+Result<void> checkOneCamera(const std::vector<BoardView> &views, const LensFit &fit,
+                            const JobControl &control);
+
+/// Refuses a fit that its pictures do not determine, and gives σ of its focal length over itself otherwise.
+Result<double> checkDetermined(const std::vector<BoardView> &views, const LensFit &fit,
+                               const std::optional<HeldOut> &halves, const JobControl &control);
+
+} // namespace odo

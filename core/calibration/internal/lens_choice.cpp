@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/internal/lens_choice.h"
+
+#include "core/base/percentile.h"
+#include "core/base/units.h"
+#include "core/calibration/internal/calibration_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace odo {
+
+namespace {
+
+constexpr double standingOutOfCorners = 5, leastPx = 0.1;
+constexpr double medianOfRayleigh = 1.17741; // sqrt(2 ln 2): of distances whose coordinates have σ 1
+constexpr std::size_t leastTogether = 3;
+constexpr double sameWay = 0.8; // length of the mean of their directions
+
+/// σ of one coordinate, from the median distance; what the fit took away by adapting is given back.
+double robustSigmaPx(const LensFit &fit)
+{
+    std::vector<double> distances;
+    for (const auto &residuals : fit.residualsPx) {
+        for (const Eigen::Vector2d &residual : residuals)
+            distances.push_back(residual.norm());
+    }
+    if (distances.empty())
+        return 0;
+    const double values = 2.0 * static_cast<double>(distances.size());
+    const double fitted =
+        4.0 + static_cast<double>(fit.intrinsics.distortion.size() + 6 * fit.residualsPx.size());
+    return upperMedian(std::move(distances)) / medianOfRayleigh *
+           std::sqrt(values / std::max(1.0, values - fitted));
+}
+
+CornerMarks beyond(const LensFit &fit, double limitPx)
+{
+    CornerMarks marks(fit.residualsPx.size());
+    for (std::size_t view = 0; view < marks.size(); ++view) {
+        for (std::size_t i = 0; i < fit.residualsPx[view].size(); ++i) {
+            if (fit.residualsPx[view][i].norm() > limitPx)
+                marks[view].push_back(i);
+        }
+    }
+    return marks;
+}
+
+/// The smallest distance between two corners of a board.
+double spacingM(const BoardView &view)
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < view.pointsOnBoard.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j)
+            least = std::min(least, (view.pointsOnBoard[i] - view.pointsOnBoard[j]).norm());
+    }
+    return least;
+}
+
+/// Splits marked corners into groups that hang together by steps of two squares at most.
+std::vector<std::vector<std::size_t>> groupsOf(const BoardView &view, std::vector<std::size_t> marks)
+{
+    const double reachM = 2.1 * spacingM(view);
+    std::vector<std::vector<std::size_t>> groups;
+    while (!marks.empty()) {
+        std::vector<std::size_t> group{marks.back()};
+        marks.pop_back();
+        for (std::size_t next = 0; next < group.size(); ++next) {
+            const auto near = std::partition(marks.begin(), marks.end(), [&](std::size_t mark) {
+                return (view.pointsOnBoard[mark] - view.pointsOnBoard[group[next]]).norm() > reachM;
+            });
+            group.insert(group.end(), near, marks.end());
+            marks.erase(near, marks.end());
+        }
+        groups.push_back(std::move(group));
+    }
+    return groups;
+}
+
+bool movesTogether(const std::vector<std::size_t> &group, const std::vector<Eigen::Vector2d> &residuals)
+{
+    if (group.size() < leastTogether)
+        return false;
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (std::size_t index : group)
+        sum += residuals[index].normalized();
+    return sum.norm() > sameWay * static_cast<double>(group.size());
+}
+
+double limitOf(const LensFit &fit)
+{
+    return std::max(leastPx, standingOutOfCorners * robustSigmaPx(fit));
+}
+
+} // namespace
+
+CornerMarks outlyingCorners(const std::vector<BoardView> &views, const LensFit &fit,
+                            const JobControl &control)
+{
+    const double limitPx = limitOf(fit);
+    CornerMarks marks = beyond(fit, limitPx);
+    if (countOf(marks) == 0)
+        return marks;
+    const auto robust = fitLens(views, {fit.intrinsics, fit.cameraFromBoard},
+                                {false, 2 * limitPx / standingOutOfCorners}, control);
+    return robust ? beyond(*robust, limitOf(*robust)) : marks;
+}
+
+CornerMarks singleCorners(const std::vector<BoardView> &views, const LensFit &fit, const CornerMarks &marks)
+{
+    CornerMarks single(marks.size());
+    for (std::size_t view = 0; view < marks.size(); ++view) {
+        if (views[view].pixels.size() < marks[view].size() + leastCornersOfView)
+            continue;
+        for (const auto &group : groupsOf(views[view], marks[view])) {
+            if (!movesTogether(group, fit.residualsPx[view]))
+                single[view].insert(single[view].end(), group.begin(), group.end());
+        }
+        std::ranges::sort(single[view]);
+    }
+    return single;
+}
+
+std::size_t countOf(const CornerMarks &marks)
+{
+    std::size_t count = 0;
+    for (const auto &list : marks)
+        count += list.size();
+    return count;
+}
+
+std::vector<BoardView> withoutCorners(const std::vector<BoardView> &views, const CornerMarks &marks)
+{
+    std::vector<BoardView> kept = views;
+    for (std::size_t view = 0; view < views.size(); ++view) {
+        for (auto index = marks[view].rbegin(); index != marks[view].rend(); ++index) {
+            kept[view].pixels.erase(kept[view].pixels.begin() + static_cast<std::ptrdiff_t>(*index));
+            kept[view].pointsOnBoard.erase(kept[view].pointsOnBoard.begin() +
+                                           static_cast<std::ptrdiff_t>(*index));
+        }
+    }
+    return kept;
+}
+
+namespace {
+
+constexpr double marginErrors = 2;  // standard errors of the mean difference
+constexpr double marginPart = 0.01; // of the RMS: less is nothing that anybody would notice
+constexpr int decimals = 3;
+
+struct LensCandidate
+{
+    LensFit fit;
+    CornerMarks outliers;
+    std::optional<HeldOut> heldOut;
+
+    LensModel model() const { return fit.intrinsics.model; }
+    double heldOutPx() const
+    {
+        return heldOut && heldOut->unforetold == 0 ? heldOut->rmsPx : std::numeric_limits<double>::infinity();
+    }
+};
+
+CornerMarks common(const std::vector<LensCandidate> &candidates)
+{
+    CornerMarks marks = candidates.front().outliers;
+    for (const LensCandidate &candidate : candidates) {
+        for (std::size_t view = 0; view < marks.size(); ++view) {
+            std::vector<std::size_t> both;
+            std::ranges::set_intersection(marks[view], candidate.outliers[view], std::back_inserter(both));
+            marks[view] = std::move(both);
+        }
+    }
+    return marks;
+}
+
+/// The simpler model foretells clearly worse: by more than chance among the pictures explains, and by enough
+/// to matter.
+bool isClearlyWorse(const LensCandidate &simpler, const LensCandidate &best)
+{
+    if (!(simpler.heldOutPx() > (1 + marginPart) * best.heldOutPx()))
+        return false;
+    if (!std::isfinite(simpler.heldOutPx()))
+        return true;
+    const auto &worse = simpler.heldOut->pictureMeanSquares, &better = best.heldOut->pictureMeanSquares;
+    const auto count = static_cast<double>(worse.size());
+    // Of each picture's RMS, since squares would let one picture drown the others.
+    const auto gain = [&](std::size_t i) { return std::sqrt(worse[i]) - std::sqrt(better[i]); };
+    double mean = 0, squares = 0;
+    for (std::size_t i = 0; i < worse.size(); ++i)
+        mean += gain(i) / count;
+    for (std::size_t i = 0; i < worse.size(); ++i)
+        squares += std::pow(gain(i) - mean, 2);
+    return mean > marginErrors * std::sqrt(squares / (count - 1) / count);
+}
+
+std::string pixelsOf(const LensCandidate &candidate)
+{
+    return std::isfinite(candidate.heldOutPx()) ? formatNumber(candidate.heldOutPx(), decimals) + " px"
+                                                : "not all";
+}
+
+std::string reasonOf(const LensCandidate &chosen, const std::vector<LensCandidate> &candidates)
+{
+    const auto other = std::ranges::min_element(candidates, {}, [&](const LensCandidate &candidate) {
+        return &candidate == &chosen ? std::numeric_limits<double>::infinity() : candidate.heldOutPx();
+    });
+    if (&*other == &chosen)
+        return "no other model fits";
+    const std::string own = "it foretells pictures held out to " + pixelsOf(chosen) + ", the ";
+    const bool simplest = &chosen == &candidates.front();
+    const LensCandidate &against = simplest ? *other : candidates.front();
+    const std::string name = lensModelName(against.model());
+    if (simplest && against.heldOutPx() < chosen.heldOutPx())
+        return own + name + " one to " + pixelsOf(against) + ", which may be chance";
+    return own + name + " one " + (simplest ? "no better (" : "only to ") + pixelsOf(against) +
+           (simplest ? ")" : "");
+}
+
+} // namespace
+
+std::string lensModelName(LensModel model)
+{
+    return model == LensModel::Standard ? "standard" : model == LensModel::Rational ? "rational" : "fisheye";
+}
+
+std::optional<LensChoice> chooseLens(const std::vector<BoardView> &views,
+                                     const std::vector<LensStart> &starts, const JobControl &control)
+{
+    std::vector<LensCandidate> candidates;
+    for (const LensStart &start : starts) {
+        auto fit = fitLens(views, start, {}, control);
+        if (!fit)
+            continue;
+        CornerMarks outliers = outlyingCorners(views, *fit, control);
+        candidates.push_back({std::move(*fit), std::move(outliers), std::nullopt});
+    }
+    if (candidates.empty() || control.isCancelled())
+        return std::nullopt;
+    if (starts.size() == 1)
+        return LensChoice{
+            std::move(candidates.front().fit), std::move(candidates.front().outliers), {}, "told"};
+
+    const std::vector<BoardView> sound =
+        withoutCorners(views, singleCorners(views, candidates.front().fit, common(candidates)));
+    std::vector<LensTrial> trials;
+    for (LensCandidate &candidate : candidates) {
+        candidate.heldOut = holdOut(sound, candidate.fit, control);
+        trials.push_back({candidate.model(), candidate.heldOutPx()});
+    }
+    if (control.isCancelled())
+        return std::nullopt;
+    const LensCandidate &best = *std::ranges::min_element(candidates, {}, &LensCandidate::heldOutPx);
+    LensCandidate &chosen = *std::ranges::find_if(
+        candidates, [&](const LensCandidate &candidate) { return !isClearlyWorse(candidate, best); });
+    std::string reason = reasonOf(chosen, candidates);
+    return LensChoice{std::move(chosen.fit), std::move(chosen.outliers), std::move(trials),
+                      std::move(reason)};
+}
+
+} // namespace odo

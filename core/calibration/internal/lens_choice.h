@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/internal/lens_fit.h"
+#include "core/calibration/intrinsic_calibration.h"
+
+namespace odo {
+
+/// Indices of corners, a list for each view, ascending.
+using CornerMarks = std::vector<std::vector<std::size_t>>;
+
+/// The corners that stand out from a fit of their lens: farther from their place than 5 σ (and 0.1 px), with
+/// σ from the median distance (of normal errors one corner in 270 000 is so far). Where the fit shows any, it
+/// is made again with Cauchy's loss, so that they cannot bend it, and the corners are judged by that. Empty
+/// lists where none stands out.
+CornerMarks outlyingCorners(const std::vector<BoardView> &views, const LensFit &fit,
+                            const JobControl &control);
+
+/// Of the marks those that stand alone. Three or more near one another (two squares) that are moved the same
+/// way are no misread corners but say something of the picture or the board (bent, cut, covered), which a
+/// person has to look at. So does a view that would keep fewer than six.
+CornerMarks singleCorners(const std::vector<BoardView> &views, const LensFit &fit, const CornerMarks &marks);
+
+std::size_t countOf(const CornerMarks &marks);
+
+/// The views without the corners marked.
+std::vector<BoardView> withoutCorners(const std::vector<BoardView> &views, const CornerMarks &marks);
+
+/// One lens model fitted to all views.
+struct LensChoice
+{
+    LensFit fit;
+    CornerMarks outliers;          ///< that stand out from that fit
+    std::vector<LensTrial> trials; ///< empty where there was one start only
+    std::string reason;            ///< as IntrinsicCalibration::lensReason
+};
+
+/// "standard", "rational", "fisheye"
+std::string lensModelName(LensModel model);
+
+/// Fits each start's model and takes the first that foretells held-out pictures about as well as the best one
+/// does, as calibrateIntrinsics says. starts: the plainest model first. Corners that stand out from every
+/// model are not asked. nullopt where none fits or it was cancelled.
+std::optional<LensChoice> chooseLens(const std::vector<BoardView> &views,
+                                     const std::vector<LensStart> &starts, const JobControl &control);
+
+} // namespace odo

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/internal/lens_fit.h"
+
+#include "core/calibration/internal/lens_cost.h"
+#include "core/calibration/internal/plane_pose.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <ceres/iteration_callback.h>
+#include <ceres/manifold.h>
+#include <ceres/problem.h>
+#include <ceres/solver.h>
+#include <cmath>
+#include <deque>
+#include <glog/logging.h>
+#include <limits>
+
+namespace odo {
+
+namespace {
+
+using Pose = std::array<double, 6>;
+
+class StopWhenCancelled : public ceres::IterationCallback
+{
+public:
+    explicit StopWhenCancelled(const JobControl &control) : m_control(control) {}
+    ceres::CallbackReturnType operator()(const ceres::IterationSummary &) override
+    {
+        return m_control.isCancelled() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+    }
+
+private:
+    const JobControl &m_control;
+};
+
+/// Ceres warns on standard error of steps that it then takes otherwise.
+void keepWarningsToItself()
+{
+    static const bool once = [] {
+        FLAGS_minloglevel = google::GLOG_ERROR;
+        return true;
+    }();
+    static_cast<void>(once);
+}
+
+Pose parametersOf(const RigidTransform &transform)
+{
+    const Eigen::AngleAxisd turn(transform.rotation);
+    const Eigen::Vector3d rotation = turn.angle() * turn.axis();
+    return {rotation.x(),
+            rotation.y(),
+            rotation.z(),
+            transform.translation.x(),
+            transform.translation.y(),
+            transform.translation.z()};
+}
+
+RigidTransform transformOf(const Pose &pose)
+{
+    const Eigen::Vector3d rotation(pose[0], pose[1], pose[2]);
+    RigidTransform transform;
+    if (rotation.norm() > 0)
+        transform.rotation = Eigen::AngleAxisd(rotation.norm(), rotation.normalized());
+    transform.translation = {pose[3], pose[4], pose[5]};
+    return transform;
+}
+
+// Of any size, for these are computed once a fit, and matrices of each lens's own size take the compiler a
+// minute.
+using Derivatives = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// The share of a view in the lens's normal matrix, its pose eliminated (Schur complement).
+Eigen::MatrixXd withoutPose(const Derivatives &byLens, const Derivatives &byPose)
+{
+    const Eigen::MatrixXd posePose = byPose.transpose() * byPose;
+    const Eigen::MatrixXd lensPose = byLens.transpose() * byPose;
+    return byLens.transpose() * byLens - lensPose * posePose.inverse() * lensPose.transpose();
+}
+
+/// Inverse of a normal matrix; what is not determined gets an enormous variance instead of a wrong small one.
+Eigen::MatrixXd inverse(const Eigen::MatrixXd &normal)
+{
+    const Eigen::VectorXd scale = normal.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+    const Eigen::MatrixXd scaled = scale.asDiagonal() * normal * scale.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
+    const Eigen::VectorXd inverted = eigen.eigenvalues().cwiseMax(1e-14).cwiseInverse();
+    return scale.asDiagonal() *
+           (eigen.eigenvectors() * inverted.asDiagonal() * eigen.eigenvectors().transpose()) *
+           scale.asDiagonal();
+}
+
+template <LensModel model>
+class Fit
+{
+public:
+    Fit(const std::vector<BoardView> &views, const LensStart &start)
+        : m_views(views), m_intrinsics(start.intrinsics), m_lens{start.intrinsics.fxPx, start.intrinsics.fyPx,
+                                                                 start.intrinsics.cxPx, start.intrinsics.cyPx}
+    {
+        std::copy(start.intrinsics.distortion.begin(), start.intrinsics.distortion.end(), m_lens.begin() + 4);
+        for (const RigidTransform &pose : start.cameraFromBoard)
+            m_poses.push_back(parametersOf(pose));
+    }
+
+    bool solve(const LensFitOptions &wanted, const JobControl &control)
+    {
+        ceres::Problem::Options ownership;
+        ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+        std::deque<ViewCost<model>> costs;
+        ceres::Problem problem(ownership);
+        auto *ordering = new ceres::ParameterBlockOrdering;
+        for (std::size_t view = 0; view < m_views.size(); ++view) {
+            problem.AddResidualBlock(&costs.emplace_back(m_views[view], wanted.cauchyPx), nullptr,
+                                     m_lens.data(), m_poses[view].data());
+            ordering->AddElementToGroup(m_poses[view].data(), 0);
+        }
+        ordering->AddElementToGroup(m_lens.data(), 1);
+        if (wanted.holdFocal)
+            problem.SetManifold(m_lens.data(), new ceres::SubsetManifold(size, {0, 1}));
+        StopWhenCancelled stop(control);
+        ceres::Solver::Options options;
+        options.linear_solver_type = ceres::DENSE_SCHUR;
+        options.linear_solver_ordering.reset(ordering);
+        options.max_num_iterations = 200;
+        // A probe needs no last digits; a rational lens goes on for ever along what the pictures do not
+        // determine.
+        options.function_tolerance = wanted.holdFocal ? 1e-6 : model == LensModel::Rational ? 1e-7 : 1e-12;
+        options.parameter_tolerance = 1e-12;
+        options.gradient_tolerance = 1e-14;
+        // Coefficients of the rational lens that the pictures do not determine leave a matrix that cannot be
+        // factored: some damping stays, and steps that need more of it are no news for the terminal.
+        options.max_trust_region_radius = 1e9;
+        keepWarningsToItself();
+        options.logging_type = ceres::SILENT;
+        options.callbacks.push_back(&stop);
+        ceres::Solver::Summary summary;
+        ceres::Solve(options, &problem, &summary);
+        return summary.IsSolutionUsable() && !control.isCancelled();
+    }
+
+    LensFit result() const
+    {
+        LensFit fit;
+        fit.intrinsics = m_intrinsics;
+        fit.intrinsics.fxPx = m_lens[0];
+        fit.intrinsics.fyPx = m_lens[1];
+        fit.intrinsics.cxPx = m_lens[2];
+        fit.intrinsics.cyPx = m_lens[3];
+        fit.intrinsics.distortion.assign(m_lens.begin() + 4, m_lens.end());
+        Eigen::MatrixXd reduced = Eigen::MatrixXd::Zero(size, size);
+        std::size_t count = 0;
+        for (std::size_t view = 0; view < m_views.size(); ++view) {
+            fit.cameraFromBoard.push_back(transformOf(m_poses[view]));
+            fit.residualsPx.emplace_back();
+            fit.pictureSquares.push_back(addNormal(view, reduced, fit.residualsPx.back()));
+            fit.squares += fit.pictureSquares.back();
+            count += m_views[view].pixels.size();
+        }
+        const double freedom =
+            2.0 * static_cast<double>(count) - size - 6.0 * static_cast<double>(m_views.size());
+        fit.sigmaPx = std::sqrt(fit.squares / std::max(1.0, freedom));
+        fit.intrinsics.covariance = fit.sigmaPx * fit.sigmaPx * inverse(reduced);
+        return fit;
+    }
+
+private:
+    static constexpr int size = lensSize(model);
+
+    /// Adds a view's share to the lens's normal matrix; returns its squares.
+    double addNormal(std::size_t view, Eigen::MatrixXd &reduced,
+                     std::vector<Eigen::Vector2d> &residuals) const
+    {
+        const std::size_t corners = m_views[view].pixels.size();
+        const auto rows = static_cast<Eigen::Index>(2 * corners);
+        Derivatives byLens(rows, size), byPose(rows, 6);
+        Eigen::VectorXd errors(rows);
+        const double *parameters[] = {m_lens.data(), m_poses[view].data()};
+        double *derivatives[] = {byLens.data(), byPose.data()};
+        ViewCost<model>(m_views[view], 0).Evaluate(parameters, errors.data(), derivatives);
+        for (std::size_t i = 0; i < corners; ++i)
+            residuals.emplace_back(-errors.segment<2>(static_cast<Eigen::Index>(2 * i)));
+        reduced += withoutPose(byLens, byPose);
+        return errors.squaredNorm();
+    }
+
+    const std::vector<BoardView> &m_views;
+    Intrinsics m_intrinsics;
+    std::array<double, size> m_lens{};
+    std::vector<Pose> m_poses;
+};
+
+template <LensModel model>
+std::optional<LensFit> fitWith(const std::vector<BoardView> &views, const LensStart &start,
+                               const LensFitOptions &options, const JobControl &control)
+{
+    Fit<model> fit(views, start);
+    if (!fit.solve(options, control))
+        return std::nullopt;
+    LensFit result = fit.result();
+    if (!std::isfinite(result.squares) || !CameraModel::create(result.intrinsics))
+        return std::nullopt;
+    return result;
+}
+
+} // namespace
+
+double LensFit::rmsPx() const
+{
+    std::size_t count = 0;
+    for (const auto &residuals : residualsPx)
+        count += residuals.size();
+    return count == 0 ? 0 : std::sqrt(squares / static_cast<double>(count));
+}
+
+std::optional<LensFit> fitLens(const std::vector<BoardView> &views, const LensStart &start,
+                               const LensFitOptions &options, const JobControl &control)
+{
+    switch (start.intrinsics.model) {
+    case LensModel::Standard:
+        return fitWith<LensModel::Standard>(views, start, options, control);
+    case LensModel::Fisheye:
+        return fitWith<LensModel::Fisheye>(views, start, options, control);
+    case LensModel::Rational:
+        break;
+    }
+    // The rational model has so many ways to bend that it is started from the standard one's answer, unless
+    // one is known.
+    if (start.intrinsics.distortion.size() == 8)
+        return fitWith<LensModel::Rational>(views, start, options, control);
+    LensStart simple = start;
+    simple.intrinsics.model = LensModel::Standard;
+    simple.intrinsics.distortion.clear();
+    const auto first = fitWith<LensModel::Standard>(views, simple, options, control);
+    if (!first)
+        return std::nullopt;
+    LensStart better{first->intrinsics, first->cameraFromBoard};
+    better.intrinsics.model = LensModel::Rational;
+    better.intrinsics.covariance.resize(0, 0);
+    better.intrinsics.distortion.resize(8, 0.0);
+    return fitWith<LensModel::Rational>(views, better, options, control);
+}
+
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr std::size_t viewsForFocal = 8;
+
+std::vector<PointPair> pairsOf(const BoardView &view)
+{
+    std::vector<PointPair> pairs;
+    for (std::size_t i = 0; i < view.pixels.size(); ++i)
+        pairs.push_back({view.pointsOnBoard[i], view.pixels[i], {}});
+    return pairs;
+}
+
+CameraModel cameraOf(int widthPx, int heightPx, LensModel model, double focalPx)
+{
+    Intrinsics intrinsics = CameraModel::assumed(widthPx, heightPx).intrinsics();
+    intrinsics.fxPx = intrinsics.fyPx = focalPx;
+    intrinsics.model = model;
+    return CameraModel::create(intrinsics).value_or(CameraModel::assumed(widthPx, heightPx));
+}
+
+/// Zhang 2000, equations 3 and 4, over all views, with the principal point in the middle and one focal
+/// length.
+std::optional<double> closedFormFocal(const std::vector<BoardView> &views, int widthPx, int heightPx)
+{
+    const Vector2d middle(0.5 * (widthPx - 1), 0.5 * (heightPx - 1));
+    const double side = std::max(widthPx, heightPx);
+    double products = 0, squares = 0;
+    for (const BoardView &view : views) {
+        std::vector<PointPair> pairs = pairsOf(view);
+        for (PointPair &pair : pairs)
+            pair.target = (pair.target - middle) / side;
+        const auto homography = Homography::estimate(pairs);
+        if (!homography)
+            continue;
+        const double length = homography->matrix().leftCols<2>().norm();
+        const Vector3d a = homography->matrix().col(0) / length, b = homography->matrix().col(1) / length;
+        const Vector2d factors(a.head<2>().dot(b.head<2>()),
+                               a.head<2>().squaredNorm() - b.head<2>().squaredNorm());
+        const Vector2d constants(a.z() * b.z(), a.z() * a.z() - b.z() * b.z());
+        products -= factors.dot(constants);
+        squares += factors.squaredNorm();
+    }
+    const double inverseSquare = products / squares;
+    if (!(inverseSquare > 0) || !std::isfinite(inverseSquare))
+        return std::nullopt;
+    return side / std::sqrt(inverseSquare);
+}
+
+/// A start with one focal length, and how badly its plane poses fit.
+struct Trial
+{
+    LensStart start;
+    std::vector<std::size_t> withoutPose;
+    double badness = std::numeric_limits<double>::infinity();
+};
+
+/// Poses of every step-th view.
+Trial tried(const std::vector<BoardView> &views, const CameraModel &camera, std::size_t step)
+{
+    Trial trial{{camera.intrinsics(), {}}, {}, {}};
+    double squares = 0;
+    for (std::size_t i = 0; i < views.size(); i += step) {
+        const auto pose = fitPlanePose(pairsOf(views[i]), camera, FocalLength::Known);
+        if (!pose) {
+            trial.withoutPose.push_back(i);
+            continue;
+        }
+        trial.start.cameraFromBoard.push_back(pose->worldFromCamera.inverse());
+        squares += pose->rmsPx * pose->rmsPx;
+    }
+    // Fewer lost pictures first, then the better fit.
+    const double side = std::max(camera.intrinsics().widthPx, camera.intrinsics().heightPx);
+    if (!trial.start.cameraFromBoard.empty())
+        trial.badness = squares / static_cast<double>(trial.start.cameraFromBoard.size()) +
+                        side * side * static_cast<double>(trial.withoutPose.size());
+    return trial;
+}
+
+} // namespace
+
+std::optional<LensStart> startLens(const std::vector<BoardView> &views, int widthPx, int heightPx,
+                                   LensModel model, std::vector<std::size_t> &withoutPose)
+{
+    const double side = std::max(widthPx, heightPx);
+    std::vector<double> focals{0.35 * side, 0.6 * side, 1.0 * side, 1.7 * side, 3.0 * side};
+    if (const auto closed = closedFormFocal(views, widthPx, heightPx))
+        focals.push_back(std::clamp(*closed, 0.2 * side, 20 * side));
+    const auto bestOf = [&](std::size_t step) {
+        Trial best;
+        for (const double focal : focals) {
+            Trial trial = tried(views, cameraOf(widthPx, heightPx, model, focal), step);
+            if (trial.badness < best.badness)
+                best = std::move(trial);
+        }
+        return best;
+    };
+    // Some of the views tell the focal length; only where others then lack a pose all of them are asked.
+    const std::size_t step = std::max<std::size_t>(1, views.size() / viewsForFocal);
+    Trial start = bestOf(step);
+    if (step > 1 && std::isfinite(start.badness))
+        start = tried(views, cameraOf(widthPx, heightPx, model, start.start.intrinsics.fxPx), 1);
+    if (step > 1 && !start.withoutPose.empty())
+        start = bestOf(1);
+    withoutPose = std::move(start.withoutPose);
+    if (!std::isfinite(start.badness))
+        return std::nullopt;
+    return std::move(start.start);
+}
+
+} // namespace odo

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/job_control.h"
+#include "core/calibration/board_detection.h"
+#include "core/geometry/camera_model.h"
+#include "core/geometry/floor_view.h"
+
+#include <optional>
+#include <vector>
+
+namespace odo {
+
+/// One lens and a pose for each picture that together explain the corners seen.
+struct LensFit
+{
+    Intrinsics intrinsics; ///< with covariance, from the residuals' σ
+    std::vector<RigidTransform> cameraFromBoard;
+    /// of each picture, one a corner: seen minus foretold
+    std::vector<std::vector<Eigen::Vector2d>> residualsPx;
+    std::vector<double> pictureSquares; ///< sum of squared distances of each picture, px²
+    double squares = 0;                 ///< of all
+    double sigmaPx = 0;                 ///< of one coordinate, by the degrees of freedom
+
+    double rmsPx() const; ///< sqrt(mean of squared distances)
+};
+
+/// How a lens is fitted.
+struct LensFitOptions
+{
+    bool holdFocal = false; ///< both focal lengths stay
+    /// Not 0: Cauchy's loss of this scale, which hardly heeds corners much farther off. The covariance then
+    /// means nothing.
+    double cauchyPx = 0;
+};
+
+/// A lens and poses to start from.
+struct LensStart
+{
+    Intrinsics intrinsics;
+    std::vector<RigidTransform> cameraFromBoard; ///< one a view
+};
+
+/// Start for views of a board: of several focal lengths (Zhang's closed form among them) the one whose plane
+/// poses fit best. Views without a pose are left out: their indices are filled in. nullopt when fewer than
+/// three are left.
+std::optional<LensStart> startLens(const std::vector<BoardView> &views, int widthPx, int heightPx,
+                                   LensModel model, std::vector<std::size_t> &withoutPose);
+
+/// Levenberg–Marquardt over lens and poses (Ceres, Schur complement over the poses). nullopt where it was
+/// cancelled or led nowhere.
+std::optional<LensFit> fitLens(const std::vector<BoardView> &views, const LensStart &start,
+                               const LensFitOptions &options, const JobControl &control);
+
+} // namespace odo

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/aravis/internal/aravis_worker.h"
+
+#include "core/base/steady_now.h"
+#include "core/capture/aravis/internal/aravis_controls.h"
+#include "core/capture/aravis/internal/gvcp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace odo {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Nanoseconds popPatience = 20ms, retryEvery = 250ms, readClockEvery = 500ms;
+constexpr int firstReadings = 4; // with the first pictures, for the clock to be known at once
+constexpr Nanoseconds shortestSilence = 200ms, longestStall = 3s;
+constexpr double silentIntervals = 3;
+constexpr auto runningPatience = 150ms;
+constexpr int mostUnanswered = 2;
+
+CameraDescription describe(const AravisAddress &address, const AravisDevice &device)
+{
+    const AravisMode &mode = device.mode();
+    const AravisPlace &place = device.place();
+    return {.uri = address.uri,
+            .kind = "aravis",
+            .name = place.vendor + " " + place.model,
+            .widthPx = mode.widthPx,
+            .heightPx = mode.heightPx,
+            .framesPerSecond = mode.framesPerSecond,
+            .serial = place.serial,
+            .formats = {formatWords(mode.format.name, mode.widthPx, mode.heightPx, mode.framesPerSecond)}};
+}
+
+} // namespace
+
+AravisWorker::AravisWorker(AravisAddress address, std::shared_ptr<AravisSession> session,
+                           std::promise<Result<CameraDescription>> opened)
+    : m_address(std::move(address)), m_session(std::move(session)), m_opened(std::move(opened))
+{
+}
+
+void AravisWorker::remember(const std::string &id, double value)
+{
+    std::erase_if(m_settings, [&](const auto &one) { return one.first == id; });
+    m_settings.emplace_back(id, value);
+}
+
+void AravisWorker::tell(const std::string &why, const std::string &advice)
+{
+    m_session->trouble({ErrorCode::Unavailable, "camera " + m_address.uri, why, advice});
+}
+
+void AravisWorker::run()
+{
+    auto device = takeUp();
+    m_opened.set_value(device.map([&](const auto &opened) { return describe(m_address, *opened); }));
+    const bool opened = device.has_value();
+    while (opened && !m_session->isStopped()) {
+        if (device) {
+            takePictures(**device);
+            device->reset(); // of one that is gone: takes Aravis seconds
+            m_times.interrupt();
+            m_resumed = true;
+        } else {
+            m_session->trouble(device.error());
+            m_session->waitWithoutCamera(retryEvery);
+        }
+        if (!m_session->isStopped())
+            device = takeUp();
+        if (device && *device)
+            ++m_counts.reconnections;
+    }
+    device = Opened(nullptr);
+    m_session->end();
+}
+
+/// Where it is now. Errors: Unavailable also while another camera is in its place.
+Result<AravisPlace> AravisWorker::findAgain()
+{
+    auto found = AravisDevice::find(m_address);
+    if (found && m_place && found->serial != m_place->serial)
+        return fail(ErrorCode::Unavailable, "camera " + m_address.uri,
+                    "another camera (" + found->serial + ") is in the place of camera " + m_place->serial,
+                    "connect the one that belongs there, or begin anew with this one");
+    return found;
+}
+
+/// A camera that was without power has forgotten how it was set. What is there the first time is what it is
+/// to be.
+Result<void> AravisWorker::setAsBefore(AravisDevice &device)
+{
+    const AravisMode &mode = device.mode();
+    if (!m_place) {
+        m_mode = mode;
+        for (const CameraControl &control : readAravisControls(device.camera())) {
+            if (!control.readOnly)
+                remember(control.id, control.value);
+        }
+        return {};
+    }
+    if (mode.widthPx != m_mode.widthPx || mode.heightPx != m_mode.heightPx ||
+        mode.format.code != m_mode.format.code)
+        return fail(ErrorCode::Unavailable, "camera " + m_address.uri,
+                    "it came back with pictures of another size or format",
+                    "set it as before, or begin anew with size and format in its address");
+    for (const auto &[id, value] : m_settings)
+        setAravisControl(device.camera(), m_address.uri, id, value);
+    device.readExposure();
+    if (m_holdWhenBack)
+        holdAutomatics(&device);
+    return {};
+}
+
+Result<void> AravisWorker::set(AravisDevice &device, const std::string &id, double value)
+{
+    auto done = setAravisControl(device.camera(), m_address.uri, id, value);
+    if (done)
+        remember(id, value);
+    device.readExposure();
+    return done;
+}
+
+std::vector<std::string> AravisWorker::holdAutomatics(AravisDevice *device)
+{
+    m_holdWhenBack = !device;
+    if (!device)
+        return {"Exposure and gain"};
+    HeldAutomatics held = holdAravisAutomatics(device->camera());
+    for (const auto &[id, value] : held.settings)
+        remember(id, value);
+    m_automatics.insert(m_automatics.end(), held.automatics.begin(), held.automatics.end());
+    device->readExposure();
+    return held.notHeld;
+}
+
+void AravisWorker::releaseAutomatics(AravisDevice *device)
+{
+    m_holdWhenBack = false;
+    for (const auto &[id, value] : std::exchange(m_automatics, {})) {
+        remember(id, value);
+        if (device)
+            setAravisControl(device->camera(), m_address.uri, id, value);
+    }
+    if (device)
+        device->readExposure();
+}
+
+AravisWorker::Opened AravisWorker::takeUp()
+{
+    // A camera that was found by its serial number is most likely where it was; looking for it takes two
+    // seconds.
+    const bool where = m_place && m_place->onNetwork && !isIpAddress(m_address.place);
+    const auto there = where ? askGvcpCamera(m_place->openId, runningPatience) : std::nullopt;
+    auto place = there && there->serial == m_place->serial ? Result<AravisPlace>(*m_place) : findAgain();
+    if (!place)
+        return tl::unexpected(place.error());
+    auto device = AravisDevice::open(*place, m_address);
+    if (!device)
+        return device;
+    if (auto set = setAsBefore(**device); !set)
+        return tl::unexpected(set.error());
+    m_place = *place;
+    m_reading.reset();
+    m_readings = 0;
+    return device;
+}
+
+void AravisWorker::takePictures(AravisDevice &device)
+{
+    auto stream = AravisStream::start(device, m_address);
+    if (!stream)
+        return m_session->trouble(stream.error());
+    m_before = m_counts;
+    m_lastPicture = steadyNow();
+    m_unanswered = 0;
+    m_damagedBefore = m_unbuffered = 0;
+    while (!m_session->isStopped()) {
+        m_session->runTasks(&device);
+        const Nanoseconds patience = std::min(popPatience, fireIfDue(device));
+        if (auto picture = (*stream)->next(patience))
+            deliver(device, **stream, std::move(*picture));
+        else if (!stillStreams(device, **stream))
+            return;
+        updateCounts(**stream);
+    }
+}
+
+void AravisWorker::updateCounts(const AravisStream &stream)
+{
+    m_counts.damaged = m_before.damaged + stream.damaged();
+    m_counts.resent = m_before.resent + stream.resent();
+    m_session->count(m_counts);
+}
+
+/// How long until the next one. All cameras that are fired by the same rate keep to the same grid of the
+/// steady clock, so that they see the same moments without knowing of one another.
+Nanoseconds AravisWorker::fireIfDue(AravisDevice &device)
+{
+    if (m_address.trigger != AravisAddress::Trigger::Software)
+        return Nanoseconds::max();
+    const Nanoseconds interval = fromSeconds(1 / device.mode().framesPerSecond), now = steadyNow();
+    if (now >= m_nextFire) {
+        // A camera that is gone would hold us up: one that is silent is asked before.
+        const bool silent = now - m_lastPicture > shortestSilence + interval;
+        if (m_nextFire != 0ns &&
+            (!silent || !device.place().onNetwork || askGvcpCamera(device.place().openId, runningPatience)))
+            device.fireTrigger();
+        m_nextFire = (steadyNow() / interval + 1) * interval;
+    }
+    return std::max(m_nextFire - steadyNow(), Nanoseconds(0));
+}
+
+/// Asks before it touches a camera that may be gone: that would take Aravis seconds.
+void AravisWorker::readClockIfDue(AravisDevice &device)
+{
+    const Nanoseconds now = steadyNow();
+    if (m_readings >= firstReadings && now < m_nextReading)
+        return;
+    m_nextReading = now + readClockEvery;
+    ++m_readings;
+    if (device.place().onNetwork && !askGvcpCamera(device.place().openId, runningPatience))
+        return;
+    if (const auto reading = device.readClock()) {
+        m_reading = reading;
+        m_readingIsNew = true;
+    }
+}
+
+void AravisWorker::deliver(AravisDevice &device, AravisStream &stream, AravisPicture picture)
+{
+    // The stamp is of the beginning of the exposure (SFNC), the picture of its middle.
+    const Nanoseconds middle = picture.stamp + device.mode().exposure / 2;
+    if (!m_times.goesOn(middle, picture.arrival))
+        m_nextReading = Nanoseconds(0);
+    readClockIfDue(device);
+    CapturedFrame captured;
+    captured.hostTime = picture.arrival;
+    captured.frame = std::move(picture.frame);
+    captured.frame.time = m_times.place(middle, picture.arrival, m_reading);
+    if (std::exchange(m_resumed, false) && m_lastTime) {
+        const double missed =
+            toSeconds(captured.frame.time - *m_lastTime) * device.mode().framesPerSecond - 1;
+        m_numbering.interrupt(static_cast<std::uint64_t>(std::max(0.0, std::round(missed))));
+    }
+    captured.sequence = m_numbering.number(picture.id);
+    captured.lostHere = m_lastTime ? lostHere(stream, captured.sequence) : 0;
+    m_lastTime = captured.frame.time;
+    m_lastSequence = captured.sequence;
+    captured.frame.index = static_cast<std::int64_t>(captured.sequence);
+    if (std::exchange(m_readingIsNew, false))
+        captured.clock =
+            ClockReading{m_times.onScale(m_reading->device), m_reading->before, m_reading->after};
+    m_lastPicture = steadyNow();
+    m_unanswered = 0;
+    m_damagedBefore = stream.damaged();
+    m_session->deliver(std::move(captured));
+}
+
+/// Of the gap before a picture: for what was this thread too slow, because a camera let it wait for an
+/// answer? The buffers that were full by then come first, without a gap.
+std::uint64_t AravisWorker::lostHere(const AravisStream &stream, std::uint64_t sequence)
+{
+    const std::uint64_t gap = sequence - m_lastSequence - 1;
+    if (gap == 0)
+        return 0;
+    const std::uint64_t before = std::exchange(m_unbuffered, stream.unbuffered());
+    return std::min(gap, m_unbuffered - before);
+}
+
+/// Whether to go on waiting for pictures, when none came for a moment. Says what is wrong.
+bool AravisWorker::stillStreams(AravisDevice &device, AravisStream &stream)
+{
+    const AravisMode &mode = device.mode();
+    const Nanoseconds silence = steadyNow() - m_lastPicture;
+    const Nanoseconds usual = fromSeconds(silentIntervals / mode.framesPerSecond) + mode.exposure;
+    if (silence < std::max(shortestSilence, usual))
+        return true;
+    if (!device.place().onNetwork) {
+        tell("it sends no pictures", "check its cable; it is taken up again by itself");
+        if (silence < longestStall + usual)
+            return true;
+        stream.abandon();
+        return false;
+    }
+    const auto controlled = isGvcpControlled(device.place().openId, runningPatience);
+    if (!controlled) {
+        tell("it does not answer", "check its power and cable; it is taken up again by itself");
+        if (++m_unanswered < mostUnanswered)
+            return true;
+        stream.abandon();
+        return false;
+    }
+    m_unanswered = 0;
+    if (!*controlled || device.isLost()) {
+        tell("it has been away", "wait: it is taken up again");
+        return false;
+    }
+    if (stream.damaged() > m_damagedBefore)
+        tell("its pictures come incomplete",
+             stream.warning().empty() ? "check its cable and the network; ask for a smaller size or rate"
+                                      : stream.warning());
+    else
+        tell("it answers, but sends no pictures", "check its trigger and this computer's firewall");
+    return silence < longestStall + usual;
+}
+
+} // namespace odo

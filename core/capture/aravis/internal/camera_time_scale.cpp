@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/aravis/internal/camera_time_scale.h"
+
+#include "core/capture/clock_map.h"
+
+#include <algorithm>
+
+namespace odo {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+// How far a clock that goes on may be from where it is expected, but for how fast it runs.
+constexpr Nanoseconds earliest = 1s, earliestAfterInterruption = largestClockJump;
+constexpr Nanoseconds usuallyLatest = 1s, latestBesideReading = 10s;
+constexpr std::uint64_t lastOf16Bits = 0xffff;
+constexpr std::uint64_t largestGap = 30000; // of numbers of 16 bits; more is a count that began anew
+
+} // namespace
+
+bool CameraTimeScale::follows(const Picture &picture) const
+{
+    const Nanoseconds step = picture.stamp - m_last->stamp, passed = picture.taken - m_last->taken;
+    if (step <= 0ns)
+        return false;
+    const Nanoseconds drift = fromSeconds(fastestClockRate * toSeconds(step)), early = step - passed;
+    const Nanoseconds tolerance = m_interrupted ? earliestAfterInterruption : earliest;
+    // A clock that began anew shows some late picture's time by chance only.
+    const Nanoseconds latest = picture.isRead  ? tolerance
+                               : m_interrupted ? usuallyLatest
+                                               : Nanoseconds::max() / 2;
+    return early <= tolerance + drift && -early <= latest + drift;
+}
+
+/// nullopt where the reading may be of before the clock was set anew, or the picture. Where nothing seems to
+/// have happened that is told from the picture's lateness; otherwise the clock is read after it has arrived.
+std::optional<Nanoseconds> CameraTimeScale::takenBy(const ClockReading &reading, Nanoseconds stamp,
+                                                    Nanoseconds arrival) const
+{
+    const Nanoseconds taken =
+        reading.before + (reading.after - reading.before) / 2 + (stamp - reading.device);
+    const bool isFresh = reading.before >= arrival && (m_interrupted || !goesOn(stamp, arrival));
+    const Nanoseconds late = arrival - taken;
+    return late > -earliest && late < (isFresh ? latestBesideReading : usuallyLatest) ? std::optional(taken)
+                                                                                      : std::nullopt;
+}
+
+Nanoseconds CameraTimeScale::place(Nanoseconds stamp, Nanoseconds arrival,
+                                   const std::optional<ClockReading> &reading)
+{
+    const auto taken = reading ? takenBy(*reading, stamp, arrival) : std::nullopt;
+    Picture picture{stamp, taken.value_or(arrival), taken.has_value()};
+    if (!m_last) {
+        m_zero = stamp;
+    } else if (!follows(picture)) {
+        m_zero = stamp - (onScale(m_last->stamp) + std::max(picture.taken - m_last->taken, Nanoseconds(1)));
+    } else if (!picture.isRead) {
+        const Nanoseconds step = stamp - m_last->stamp;
+        picture.taken =
+            std::min(arrival, m_last->taken + step + fromSeconds(fastestClockRate * toSeconds(step)));
+    }
+    m_last = picture;
+    m_interrupted = false;
+    return onScale(stamp);
+}
+
+std::uint64_t PictureNumbering::number(std::uint64_t cameraNumber)
+{
+    if (m_last) {
+        const bool wide = cameraNumber > lastOf16Bits || *m_last > lastOf16Bits;
+        const std::uint64_t step =
+            wide ? cameraNumber - *m_last : (cameraNumber + lastOf16Bits - *m_last) % lastOf16Bits;
+        if (step > 1 && step < largestGap)
+            m_next += step - 1;
+    }
+    m_last = cameraNumber;
+    return m_next++;
+}
+
+void PictureNumbering::interrupt(std::uint64_t missed)
+{
+    m_last.reset();
+    m_next += missed;
+}
+
+} // namespace odo

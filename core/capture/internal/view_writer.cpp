@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/internal/view_writer.h"
+
+#include "core/base/file_system.h"
+#include "core/base/shortage.h"
+#include "core/base/steady_now.h"
+#include "core/capture/recording_outcome.h"
+#include "core/video/recording_writer.h"
+#include "core/video/video_reader.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <utility>
+
+namespace odo {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::size_t mostWaitingBytes = 64 << 20; // 14 s of 1280×720 at 30 frames/s
+constexpr Nanoseconds slowFrom = 1s;
+constexpr auto checkEach = 1s;
+constexpr double rateKnownFromS = 1;
+constexpr double megabyte = 1e6;
+
+} // namespace
+
+/// The file as it grows; of the writing thread.
+struct ViewWriter::Output
+{
+    std::unique_ptr<RecordingWriter> writer;
+    RawTime last;
+    Nanoseconds time{0}; ///< of the last picture, in the file
+
+    /// By the camera's clock; by ours where that was set anew.
+    Nanoseconds timeOf(const RawTime &next) const
+    {
+        const Nanoseconds step = next.device - last.device;
+        return time + (step > Nanoseconds(0) ? step : std::max(Nanoseconds(0), next.arrival - last.arrival));
+    }
+};
+
+ViewWriter::ViewWriter(std::filesystem::path file, double nominalFramesPerSecond, DiskWatch disk)
+    : m_nominalFramesPerSecond(nominalFramesPerSecond), m_disk(std::move(disk))
+{
+    m_recording.file = std::move(file);
+    auto thread = startThread(recordingName(), [this] { write(); });
+    if (thread)
+        m_thread = std::move(*thread);
+    else
+        m_recording.problem = thread.error();
+}
+
+ViewWriter::~ViewWriter()
+{
+    close();
+    if (m_thread.joinable())
+        m_thread.join();
+}
+
+void ViewWriter::offer(CodedFrame frame)
+{
+    const std::lock_guard lock(m_mutex);
+    if (m_closed || m_recording.problem)
+        return;
+    m_recording.frames += 1 + frame.lostBefore;
+    m_recording.lostByUs += frame.lostBefore;
+    const std::uint64_t sequence = frame.raw.sequence;
+    if (m_lastSequence && sequence > *m_lastSequence + 1 + frame.lostBefore)
+        m_recording.lostOnWire += sequence - *m_lastSequence - 1 - frame.lostBefore;
+    m_lastSequence = sequence;
+    if (m_waitingBytes + frame.jpeg->size() > mostWaitingBytes) {
+        ++m_recording.lostByUs;
+        ++m_withoutRoom;
+        return;
+    }
+    m_waitingBytes += frame.jpeg->size();
+    m_waiting.push_back({std::move(frame), steadyNow()});
+    m_wake.notify_all();
+}
+
+void ViewWriter::countLost(std::uint64_t pictures)
+{
+    const std::lock_guard lock(m_mutex);
+    m_recording.frames += pictures;
+    m_recording.lostByUs += pictures;
+}
+
+void ViewWriter::fail(const Error &error)
+{
+    const std::lock_guard lock(m_mutex);
+    if (!m_recording.problem)
+        m_recording.problem = error;
+}
+
+void ViewWriter::close()
+{
+    const std::lock_guard lock(m_mutex);
+    m_closed = true;
+    m_wake.notify_all();
+}
+
+std::optional<ViewWriter::Waiting> ViewWriter::waitForNext()
+{
+    std::unique_lock lock(m_mutex);
+    m_wake.wait(lock, [this] { return m_closed || !m_waiting.empty(); });
+    if (m_waiting.empty())
+        return std::nullopt;
+    Waiting next = std::move(m_waiting.front());
+    m_waiting.pop_front();
+    m_writing = next.since;
+    return next;
+}
+
+void ViewWriter::write()
+{
+    Output output;
+    while (const auto next = waitForNext()) {
+        bool isWriting = false;
+        const auto written = orShortage(recordingName(), [&]() -> Result<void> {
+            if (auto room = checkDisk(output.writer != nullptr); !room)
+                return room;
+            isWriting = true;
+            return write(output, next->frame);
+        });
+        const std::lock_guard lock(m_mutex);
+        m_waitingBytes -= next->frame.jpeg->size();
+        m_writing.reset();
+        m_recording.longestWaitS = std::max(m_recording.longestWaitS, toSeconds(steadyNow() - next->since));
+        if (!written) {
+            m_recording.problem = written.error();
+            m_writingFailed = isWriting;
+            m_waiting.clear();
+            m_waitingBytes = 0;
+            break;
+        }
+        note(next->frame);
+    }
+    if (output.writer) {
+        if (const auto finished = output.writer->finish(); !finished) {
+            fail(finished.error());
+            m_writingFailed = true; // of the last pictures, which wait until then
+        }
+    }
+}
+
+std::string ViewWriter::recordingName() const
+{
+    return "the recording " + m_recording.file.filename().string();
+}
+
+/// Before the disk is full, while there is still room to end in good order. A file that was begun can be
+/// written to even when its disk was taken out of the file system, but nobody would find it.
+Result<void> ViewWriter::checkDisk(bool isBegun)
+{
+    const auto now = std::chrono::steady_clock::now();
+    if (m_spaceChecked && now - *m_spaceChecked < checkEach)
+        return {};
+    m_spaceChecked = now;
+    if (isBegun && !files::exists(m_recording.file))
+        return odo::fail(ErrorCode::Io, recordingName(), "its file is no longer there",
+                         "put its disk or folder back where it was; what was recorded so far is there");
+    const std::optional<DiskRoom> room = m_disk.room(m_recording.file.parent_path());
+    if (!room)
+        return {};
+    const std::uint64_t left = m_disk.left(*room);
+    {
+        const std::lock_guard lock(m_mutex);
+        m_bytesLeft = left;
+    }
+    if (left > 0)
+        return {};
+    char why[96];
+    std::snprintf(why, sizeof why, "its disk has only %.0f MB left, of which %.0f are kept free",
+                  static_cast<double>(room->free) / megabyte,
+                  static_cast<double>(m_disk.reserved(*room)) / megabyte);
+    return odo::fail(ErrorCode::Io, recordingName(), why,
+                     "make room, or move the project to another disk; what was recorded so far is kept");
+}
+
+Result<void> ViewWriter::write(Output &output, const CodedFrame &frame) const
+{
+    if (!output.writer) {
+        auto writer = RecordingWriter::create(m_recording.file, frame.format, m_nominalFramesPerSecond);
+        if (!writer)
+            return tl::unexpected(writer.error());
+        output.writer = std::move(*writer);
+        output.last = frame.raw;
+    }
+    const Nanoseconds time = output.timeOf(frame.raw);
+    if (auto written = output.writer->write(*frame.jpeg, time); !written)
+        return written;
+    output.last = frame.raw;
+    output.time = time;
+    return {};
+}
+
+/// A picture is in the file; the mutex is held.
+void ViewWriter::note(const CodedFrame &frame)
+{
+    RecordedTimes &times = m_recording.times;
+    if (times.pictures.empty()) {
+        m_recording.format = frame.format;
+        m_firstArrival = frame.raw.arrival;
+    }
+    if (frame.interruption && m_lastArrival)
+        m_recording.gaps.push_back(
+            {times.pictures.size(), frame.raw.arrival - *m_lastArrival, *frame.interruption});
+    m_lastArrival = frame.raw.arrival;
+    m_bytes += frame.jpeg->size();
+    m_recording.latenciesS.push_back(toSeconds(steadyNow() - frame.taken));
+    for (RecordedTimes *kept : {&times, &m_fresh}) {
+        kept->pictures.push_back(frame.raw);
+        if (frame.clock)
+            kept->readings.push_back(*frame.clock);
+    }
+}
+
+ViewWriter::State ViewWriter::state(Nanoseconds now) const
+{
+    const std::lock_guard lock(m_mutex);
+    State state;
+    state.waiting = static_cast<double>(m_waitingBytes) / static_cast<double>(mostWaitingBytes);
+    state.recordedS = m_firstArrival ? toSeconds(*m_lastArrival - *m_firstArrival) : 0;
+    state.bytes = m_bytes;
+    state.withoutRoom = m_withoutRoom;
+    state.problem = m_recording.problem;
+    if (m_bytesLeft && state.recordedS >= rateKnownFromS)
+        state.secondsLeft =
+            static_cast<double>(*m_bytesLeft) / (static_cast<double>(m_bytes) / state.recordedS);
+    if (m_writing && now - *m_writing > slowFrom) {
+        char why[96];
+        std::snprintf(
+            why, sizeof why,
+            "it is too slow: a picture has waited %.1f s for it, and %.0f %% of the room to wait in is taken",
+            toSeconds(now - *m_writing), 100 * state.waiting);
+        state.slow = Trouble{{ErrorCode::Io, "the disk of " + m_recording.file.filename().string(), why,
+                              m_recording.lostByUs == 0
+                                  ? "nothing is lost yet; end what else writes to it"
+                                  : "pictures are being lost; record to another disk, or fewer cameras"},
+                             *m_writing};
+    }
+    return state;
+}
+
+RecordedTimes ViewWriter::takeWritten()
+{
+    const std::lock_guard lock(m_mutex);
+    return std::exchange(m_fresh, {});
+}
+
+/// What a disk refuses may be the last pictures that were given to it, which it seemed to take: with what
+/// follows them they are what the problem has cost. Nobody changes them any more.
+void ViewWriter::leaveOutWhatIsNotInTheFile()
+{
+    const auto reader = VideoReader::open(m_recording.file);
+    std::vector<RawTime> &pictures = m_recording.times.pictures;
+    const std::size_t there = reader ? (*reader)->info().frameTimes.size() : 0;
+    if (there >= pictures.size())
+        return;
+    const std::lock_guard lock(m_mutex);
+    pictures.resize(there);
+    m_recording.latenciesS.resize(there);
+}
+
+ViewRecording ViewWriter::finish()
+{
+    if (m_thread.joinable())
+        m_thread.join();
+    if (m_writingFailed)
+        leaveOutWhatIsNotInTheFile();
+    DerivedTimes derived = deriveTimes(m_recording.times); // long; nobody changes them any more
+    const std::lock_guard lock(m_mutex);
+    m_recording.taken = std::move(derived.taken);
+    m_recording.clockSigmaS = derived.sigmaS;
+    return std::move(m_recording);
+}
+
+} // namespace odo

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/exchange/track_export.h"
+
+#include "core/analysis/quantity_curve.h"
+#include "core/exchange/internal/delimited_text.h"
+#include "core/exchange/text_file.h"
+
+#include <array>
+#include <charconv>
+
+namespace odo {
+
+namespace {
+
+constexpr std::array<std::pair<CsvStyle, std::string_view>, 3> styleNames{
+    {{CsvStyle::Analysis, "analysis"},
+     {CsvStyle::International, "international"},
+     {CsvStyle::Continental, "continental"}}};
+
+constexpr std::array<std::string_view, 17> columns = {"t_s",
+                                                      "x_mm",
+                                                      "y_mm",
+                                                      "vx_mm_s",
+                                                      "vy_mm_s",
+                                                      "speed_mm_s",
+                                                      "ax_mm_s2",
+                                                      "ay_mm_s2",
+                                                      "accel_mm_s2",
+                                                      "sigma_x_mm",
+                                                      "sigma_y_mm",
+                                                      "sigma_speed_mm_s",
+                                                      "sigma_accel_mm_s2",
+                                                      "raw_x_mm",
+                                                      "raw_y_mm",
+                                                      "views",
+                                                      "flags"};
+
+/// Builds one line, cell by cell.
+class CsvLine
+{
+public:
+    explicit CsvLine(CsvStyle style)
+        : m_delimiter(style == CsvStyle::Continental ? ';' : ','), m_comma(style == CsvStyle::Continental)
+    {
+    }
+
+    void number(double value)
+    {
+        std::string text = std::isfinite(value) ? numberText(value) : std::string();
+        if (m_comma)
+            std::replace(text.begin(), text.end(), '.', ',');
+        add(text);
+    }
+    void millimetres(double metres) { number(toMillimetres(metres)); }
+    void empty() { add({}); }
+    void text(const std::string &text) { add(csvText(text, m_delimiter)); }
+    std::string take() { return m_line + '\n'; }
+
+private:
+    void add(const std::string &cell)
+    {
+        if (!m_first)
+            m_line += m_delimiter;
+        m_line += cell;
+        m_first = false;
+    }
+
+    std::string m_line;
+    char m_delimiter;
+    bool m_comma;
+    bool m_first = true;
+};
+
+std::string viewNames(std::uint32_t views, const std::vector<std::string> &names)
+{
+    std::string joined;
+    for (std::size_t i = 0; i < names.size() && i < 32; ++i) {
+        if ((views & (1u << i)) != 0)
+            joined += (joined.empty() ? "" : "+") + names[i];
+    }
+    return joined;
+}
+
+void addPoint(CsvLine &line, const ProfilePoint &point)
+{
+    for (double metres : {point.position.x(), point.position.y(), point.velocity.x(), point.velocity.y(),
+                          point.speedMps, point.acceleration.x(), point.acceleration.y(), point.accelMps2,
+                          point.sigmaXM, point.sigmaYM, point.sigmaSpeedMps, point.sigmaAccelMps2}) {
+        if (point.valid)
+            line.millimetres(metres);
+        else
+            line.empty();
+    }
+}
+
+} // namespace
+
+Result<CsvStyle> parseCsvStyle(std::string_view name)
+{
+    for (const auto &[style, itsName] : styleNames) {
+        if (itsName == name)
+            return style;
+    }
+    return fail(ErrorCode::NotFound, "style '" + std::string(name.substr(0, 40)) + "' of CSV",
+                "there is no such style", "choose analysis, international or continental");
+}
+
+Result<void> writeTrackCsv(const AnalysisRecord &analysis, CsvStyle style, const TextSink &sink)
+{
+    TextPieces text(sink);
+    text.add(style == CsvStyle::Analysis ? "" : "\xef\xbb\xbf");
+    CsvLine header(style);
+    for (const std::string_view column : columns)
+        header.text(std::string(column));
+    text.add(header.take());
+    const Profile &profile = analysis.profile;
+    for (std::size_t i = 0; i < profile.samples.size(); ++i) {
+        const Sample &sample = profile.samples[i];
+        CsvLine line(style);
+        // A quotient is rounded once, so that the shortest text is exactly the nanoseconds.
+        line.number(static_cast<double>(sample.time.count()) / 1e9);
+        addPoint(line, profile.points[i]);
+        for (int axis : {0, 1}) {
+            if (sample.position)
+                line.millimetres((*sample.position)[axis]);
+            else
+                line.empty();
+        }
+        line.text(viewNames(sample.views, analysis.views));
+        line.text(flagNames(sample.flags));
+        text.add(line.take());
+    }
+    return text.finish();
+}
+
+std::string trackCsv(const AnalysisRecord &analysis, CsvStyle style)
+{
+    return wholeText([&](const TextSink &sink) { return writeTrackCsv(analysis, style, sink); });
+}
+
+namespace {
+
+double secondsOf(const Sample &sample)
+{
+    return static_cast<double>(sample.time.count()) / 1e9;
+}
+
+bool isUsable(const ProfilePoint &point)
+{
+    return point.valid && point.position.allFinite();
+}
+
+/// Shortest text with an exponent as Java writes it: "1.25E-1".
+std::string javaNumber(double value)
+{
+    char text[64];
+    const auto [end, problem] = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific);
+    std::string number(text, problem == std::errc() ? end : text);
+    const std::size_t e = number.find('e');
+    if (e == std::string::npos)
+        return number;
+    std::string mantissa = number.substr(0, e);
+    if (mantissa.find('.') == std::string::npos)
+        mantissa += ".0";
+    const bool negative = number[e + 1] == '-';
+    const std::size_t digits = std::min(number.find_first_not_of('0', e + 2), number.size() - 1);
+    return mantissa + (negative ? "E-" : "E") + number.substr(digits);
+}
+
+} // namespace
+
+Result<void> writeTrackTum(const AnalysisRecord &analysis, const TextSink &sink)
+{
+    const Profile &profile = analysis.profile;
+    const auto headings = headingsOf(profile.points);
+    TextPieces text(sink);
+    for (std::size_t i = 0; i < profile.points.size(); ++i) {
+        const ProfilePoint &point = profile.points[i];
+        if (!isUsable(point))
+            continue;
+        const double heading = headings[i] ? headings[i]->radians : 0.0;
+        text.add(numberText(secondsOf(profile.samples[i])) + ' ' + numberText(point.position.x()) + ' ' +
+                 numberText(point.position.y()) + " 0 0 0 " + numberText(std::sin(heading / 2)) + ' ' +
+                 numberText(std::cos(heading / 2)) + '\n');
+    }
+    return text.finish();
+}
+
+std::string trackTum(const AnalysisRecord &analysis)
+{
+    return wholeText([&](const TextSink &sink) { return writeTrackTum(analysis, sink); });
+}
+
+std::string trackerName(std::string name)
+{
+    // Tracker separates by blanks too, and looks for data and remarks from the first line on.
+    std::replace_if(
+        name.begin(), name.end(),
+        [](char c) { return std::string_view(" ,;\t\"").find(c) != std::string_view::npos; }, '_');
+    if (name.starts_with('#') || name.starts_with("//") || parseNumber(name))
+        name.insert(name.begin(), '_');
+    return name;
+}
+
+Result<void> writeTrackTracker(const AnalysisRecord &analysis, const TextSink &sink)
+{
+    TextPieces text(sink);
+    text.add(trackerName(analysis.robotName) + "\nt\tx\ty\n");
+    const Profile &profile = analysis.profile;
+    for (std::size_t i = 0; i < profile.points.size(); ++i) {
+        const ProfilePoint &point = profile.points[i];
+        text.add(javaNumber(secondsOf(profile.samples[i])));
+        text.add(isUsable(point)
+                     ? '\t' + javaNumber(point.position.x()) + '\t' + javaNumber(point.position.y())
+                     : "\t\t");
+        text.add("\n");
+    }
+    return text.finish();
+}
+
+std::string trackTracker(const AnalysisRecord &analysis)
+{
+    return wholeText([&](const TextSink &sink) { return writeTrackTracker(analysis, sink); });
+}
+
+} // namespace odo

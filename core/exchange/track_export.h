@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/exchange/text_file.h"
+#include "core/project/records.h"
+
+#include <string>
+#include <string_view>
+
+namespace odo {
+
+enum class CsvStyle {
+    Analysis,      ///< UTF-8 without mark, `,` and `.`: for programs
+    International, ///< with mark, `,` and `.`: for spreadsheets
+    Continental,   ///< with mark, `;` and `,`: for spreadsheets where the comma is decimal
+};
+/// "analysis", "international", "continental"; NotFound for another word.
+Result<CsvStyle> parseCsvStyle(std::string_view name);
+
+/// One robot's track as the command line promises it: a header line, then a row for each frame of the first
+/// view. Millimetres and seconds in the shortest form that reads back exactly; what is missing or not finite
+/// is empty. The same bytes in every locale. Cells of text that a spreadsheet would take as a formula begin
+/// with an apostrophe.
+std::string trackCsv(const AnalysisRecord &analysis, CsvStyle style);
+Result<void> writeTrackCsv(const AnalysisRecord &analysis, CsvStyle style, const TextSink &sink);
+
+/// Tracks for other programs: the points where the profile is valid, metres and seconds, the same bytes in
+/// every locale.
+
+/// TUM, as evo reads it: "timestamp tx ty tz qx qy qz qw" with single blanks and none at the end of a line; z
+/// = 0 and a rotation about Z only: the direction of motion, kept while the robot is slower than three σ of
+/// its speed.
+std::string trackTum(const AnalysisRecord &analysis);
+Result<void> writeTrackTum(const AnalysisRecord &analysis, const TextSink &sink);
+
+/// A robot's name as trackTracker writes it: one word that Tracker takes neither for a number nor for a
+/// remark.
+std::string trackerName(std::string name);
+
+/// Text that Tracker (Open Source Physics) imports as a data track: the robot's name, then t, x and y parted
+/// by tabs; a line for each frame, with blank cells where nothing is known, and no delimiter at the end of a
+/// line, which Tracker would take for one column more.
+std::string trackTracker(const AnalysisRecord &analysis);
+Result<void> writeTrackTracker(const AnalysisRecord &analysis, const TextSink &sink);
+
+} // namespace odo

@@ -1,0 +1,493 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/internal/analysis_digest.h"
+#include "core/project/internal/connection.h"
+#include "core/project/internal/series_blobs.h"
+#include "core/project/internal/series_rows.h"
+#include "core/project/internal/stored_words.h"
+#include "core/project/names.h"
+#include "core/project/repositories.h"
+
+#include <unordered_map>
+
+namespace odo {
+
+namespace {
+
+const QString newestColumns = QStringLiteral(
+    "SELECT analysis.id, trial_id, robot_id, robot.name, made_ms, software_version, smoother, "
+    "max_speed_m_s, max_accel_m_s2, longest_bridged_gap_ns, analysis.height_m, height_estimated, "
+    "mean_view_disagreement_m, task_id FROM analysis JOIN robot ON robot.id=robot_id WHERE analysis.id IN "
+    "(SELECT MAX(id) FROM analysis WHERE trial_id=? GROUP BY robot_id) ORDER BY robot_id");
+
+Result<void> checkAnalysis(const AnalysisRecord &analysis, std::size_t samples)
+{
+    const auto refuse = [](const std::string &why) {
+        return fail(ErrorCode::InvalidInput, "analysis of a trial", why, "analyse the trial again");
+    };
+    const Profile &profile = analysis.profile;
+    if (samples != profile.points.size())
+        return refuse("samples and profile differ in length");
+    if (samples > maxBlobRows)
+        return refuse("it has more than " + std::to_string(maxBlobRows) + " samples");
+    if (!analysis.registrations.empty() && analysis.registrations.size() != analysis.views.size())
+        return refuse("views and registrations differ in number");
+    return {};
+}
+
+Result<RecordId> addRow(ProjectConnection &connection, const AnalysisRecord &analysis)
+{
+    Statement insert(
+        connection,
+        QStringLiteral(
+            "INSERT INTO analysis (trial_id, robot_id, made_ms, software_version, smoother, "
+            "max_speed_m_s, max_accel_m_s2, longest_bridged_gap_ns, height_m, "
+            "height_estimated, mean_view_disagreement_m, task_id) VALUES (?,?,?,?,?,?,?,?,?,?,?,?)"));
+    const AnalysisOptions &options = analysis.options;
+    insert.bind(analysis.trial).bind(analysis.robot);
+    insert.bind(static_cast<std::int64_t>(analysis.made.time_since_epoch().count()))
+        .bind(analysis.softwareVersion);
+    insert.bind(storedWord(smootherWords, options.smoother))
+        .bind(options.maxSpeedMps)
+        .bind(options.maxAccelMps2);
+    insert.bind(static_cast<std::int64_t>(options.longestBridgedGap.count())).bind(analysis.profile.heightM);
+    insert.bind(analysis.profile.heightEstimated ? 1 : 0).bind(analysis.profile.meanViewDisagreementM);
+    insert.bindReference(analysis.task);
+    if (auto done = insert.run(); !done)
+        return tl::unexpected(done.error());
+    return insert.insertedId();
+}
+
+Result<void> addViews(ProjectConnection &connection, RecordId id, const AnalysisRecord &analysis)
+{
+    for (std::size_t i = 0; i < analysis.views.size(); ++i) {
+        Statement insert(connection, QStringLiteral("INSERT INTO analysis_view VALUES (?,?,?,?)"));
+        insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(analysis.views[i]);
+        insert.bindReference(analysis.registrations.empty() ? 0 : analysis.registrations[i]);
+        if (auto done = insert.run(); !done)
+            return done;
+    }
+    return {};
+}
+
+Result<void> addOverrules(ProjectConnection &connection, RecordId id, const std::vector<Overrule> &overrules)
+{
+    for (const Overrule &overrule : overrules) {
+        Statement insert(connection, QStringLiteral("INSERT INTO analysis_overrule VALUES (?,?,?)"));
+        if (auto done = insert.bind(id).bind(overrule.frame).bind(overrule.isSpike ? 1 : 0).run(); !done)
+            return done;
+    }
+    return {};
+}
+
+Result<void> addFindings(ProjectConnection &connection, RecordId id, const Profile &profile)
+{
+    for (std::size_t i = 0; i < profile.metrics.size(); ++i) {
+        const Metric &metric = profile.metrics[i];
+        if (!std::isfinite(metric.value) || (metric.sigma && !std::isfinite(*metric.sigma)))
+            return fail(ErrorCode::InvalidInput, "metric '" + metric.name + "'", "it is not a finite number",
+                        "analyse the trial again");
+        Statement insert(connection, QStringLiteral("INSERT INTO metric VALUES (?,?,?,?,?,?)"));
+        insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(metric.name).bind(metric.unit);
+        if (auto done = insert.bind(metric.value).bind(metric.sigma).run(); !done)
+            return done;
+    }
+    for (std::size_t i = 0; i < profile.spikes.size(); ++i) {
+        const Spike &spike = profile.spikes[i];
+        Statement insert(connection, QStringLiteral("INSERT INTO spike VALUES (?,?,?,?,?,?)"));
+        insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(spike.sampleIndex);
+        insert.bind(static_cast<std::int64_t>(spike.time.count()))
+            .bind(static_cast<std::int64_t>(spike.flags));
+        if (auto done = insert.bind(spike.reason).run(); !done)
+            return done;
+    }
+    return {};
+}
+
+Result<void> addPassages(ProjectConnection &connection, RecordId id, const std::vector<GatePassage> &passages)
+{
+    for (std::size_t i = 0; i < passages.size(); ++i) {
+        const GatePassage &passage = passages[i];
+        Statement insert(connection, QStringLiteral("INSERT INTO gate_passage VALUES (?,?,?,?,?,?,?)"));
+        insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(passage.gate);
+        insert.bind(storedWord(gateRoleWords, passage.role));
+        insert.bind(static_cast<std::int64_t>(passage.time.count())).bind(passage.sigmaS);
+        if (auto done = insert.bind(passage.commonSigmaS).run(); !done)
+            return done;
+    }
+    return {};
+}
+
+Result<void> addSeries(ProjectConnection &connection, RecordId id, const Profile &profile,
+                       const SampleSource &samples)
+{
+    const std::span<const ProfilePoint> points(profile.points);
+    for (std::size_t start = 0; start == 0 || start < points.size(); start += rowsPerChunk) {
+        const std::size_t count = std::min(rowsPerChunk, points.size() - start);
+        const auto chunk = samples.chunk(start, count);
+        if (!chunk)
+            return tl::unexpected(chunk.error());
+        Statement insert(connection, QStringLiteral("INSERT INTO analysis_chunk VALUES (?,?,?,?)"));
+        insert.bind(id).bind(static_cast<std::int64_t>(start / rowsPerChunk));
+        if (auto done = insert.bind(packSamples(*chunk)).bind(packPoints(points.subspan(start, count))).run();
+            !done)
+            return done;
+    }
+    return {};
+}
+
+Result<AnalysisRecord> analysisOf(const Statement &row)
+{
+    AnalysisRecord analysis;
+    analysis.id = row.integer(0);
+    analysis.trial = row.integer(1);
+    analysis.robot = row.integer(2);
+    analysis.robotName = row.name(3);
+    analysis.made = Instant(std::chrono::milliseconds(row.integer(4)));
+    analysis.softwareVersion = row.name(5);
+    const auto smoother =
+        fromStoredWord(smootherWords, row.text(6), "analysis " + std::to_string(analysis.id));
+    if (!smoother)
+        return tl::unexpected(smoother.error());
+    analysis.options.smoother = *smoother;
+    analysis.options.maxSpeedMps = row.real(7);
+    analysis.options.maxAccelMps2 = row.real(8);
+    analysis.options.longestBridgedGap = Nanoseconds(row.integer(9));
+    analysis.profile.heightM = row.real(10);
+    analysis.profile.heightEstimated = row.integer(11) != 0;
+    analysis.profile.meanViewDisagreementM = row.real(12);
+    analysis.task = row.integer(13);
+    return analysis;
+}
+
+Result<void> readMetrics(const ProjectConnection &connection, AnalysisRecord &into)
+{
+    Statement select(
+        connection,
+        QStringLiteral("SELECT name, unit, value, sigma FROM metric WHERE analysis_id=? ORDER BY position"));
+    return select.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
+        into.profile.metrics.push_back({row.name(0), row.name(1), row.real(2), row.optionalReal(3)});
+        return {};
+    });
+}
+
+Result<void> readPassages(const ProjectConnection &connection, AnalysisRecord &into)
+{
+    Statement select(connection,
+                     QStringLiteral("SELECT gate, role, time_ns, sigma_s, common_sigma_s FROM gate_passage "
+                                    "WHERE analysis_id=? ORDER BY position"));
+    return select.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
+        const auto role = fromStoredWord(gateRoleWords, row.text(1), "gate '" + row.name(0) + "'");
+        if (!role)
+            return tl::unexpected(role.error());
+        into.profile.passages.push_back(
+            {row.name(0), *role, Nanoseconds(row.integer(2)), row.real(3), row.real(4)});
+        return {};
+    });
+}
+
+Result<void> readDecisions(const ProjectConnection &connection, AnalysisRecord &into)
+{
+    Statement views(connection, QStringLiteral("SELECT name, registration_id FROM analysis_view "
+                                               "WHERE analysis_id=? ORDER BY position"));
+    auto read = views.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
+        into.views.push_back(row.name(0));
+        into.registrations.push_back(row.integer(1));
+        return {};
+    });
+    if (!read)
+        return read;
+    Statement overrules(connection, QStringLiteral("SELECT frame, is_spike FROM analysis_overrule "
+                                                   "WHERE analysis_id=? ORDER BY frame"));
+    read = overrules.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
+        into.options.overrules.push_back({row.integer(0), row.integer(1) != 0});
+        return {};
+    });
+    if (!read)
+        return read;
+    Statement spikes(connection, QStringLiteral("SELECT sample_index, time_ns, flags, reason FROM spike "
+                                                "WHERE analysis_id=? ORDER BY position"));
+    return spikes.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
+        into.profile.spikes.push_back({row.integer(0), Nanoseconds(row.integer(1)),
+                                       static_cast<SampleFlags>(row.integer(2)), row.text(3)});
+        return {};
+    });
+}
+
+Result<void> readSeries(const ProjectConnection &connection, AnalysisRecord &into)
+{
+    const std::string what = "analysis " + std::to_string(into.id) + " of the project";
+    const auto damaged = [&what](const std::string &why) {
+        return fail(ErrorCode::InvalidInput, what, why, "analyse the trial again");
+    };
+    std::vector<Sample> samples;
+    std::vector<ProfilePoint> points;
+    Statement length(connection, QStringLiteral("SELECT COUNT(*) FROM analysis_chunk WHERE analysis_id=?"));
+    const auto counted = length.bind(into.id).firstRow();
+    if (!counted)
+        return tl::unexpected(counted.error());
+    if (length.integer(0) == 0)
+        return damaged("its series are missing");
+    const auto most = std::min<std::int64_t>(length.integer(0) * rowsPerChunk, maxBlobRows);
+    samples.reserve(static_cast<std::size_t>(most));
+    points.reserve(static_cast<std::size_t>(most));
+    Statement select(
+        connection,
+        QStringLiteral("SELECT samples, points FROM analysis_chunk WHERE analysis_id=? ORDER BY position"));
+    auto read = select.bind(into.id).eachRow([&](const Statement &row) -> Result<void> {
+        if (auto unpacked = unpackSamples(row.blob(0), what, samples); !unpacked)
+            return unpacked;
+        if (auto unpacked = unpackPoints(row.blob(1), what, points); !unpacked)
+            return unpacked;
+        if (samples.size() != points.size())
+            return damaged("samples and profile differ in length");
+        return samples.size() > maxBlobRows
+                   ? damaged("it has more than " + std::to_string(maxBlobRows) + " samples")
+                   : Result<void>();
+    });
+    if (!read)
+        return read;
+    const auto count = static_cast<std::int64_t>(samples.size());
+    for (const Spike &spike : into.profile.spikes) {
+        if (spike.sampleIndex < 0 || spike.sampleIndex >= count)
+            return damaged("a spike refers to a sample that is not there");
+    }
+    into.profile.samples = std::move(samples);
+    into.profile.points = std::move(points);
+    return {};
+}
+
+} // namespace
+
+AnalysisRepository::AnalysisRepository(ProjectConnection &connection) : m_connection(connection) {}
+
+Result<AnalysisRecord> AnalysisRepository::add(AnalysisRecord analysis, const SampleSource &samples)
+{
+    return transact(m_connection, [&]() -> Result<AnalysisRecord> {
+        const SampleSource source = samples.chunk ? samples : sourceOf(analysis.profile.samples);
+        if (auto valid = checkAnalysis(analysis, source.count); !valid)
+            return tl::unexpected(valid.error());
+        const auto id = addRow(m_connection, analysis);
+        if (!id)
+            return tl::unexpected(id.error());
+        if (auto added = addViews(m_connection, *id, analysis); !added)
+            return tl::unexpected(added.error());
+        if (auto added = addOverrules(m_connection, *id, analysis.options.overrules); !added)
+            return tl::unexpected(added.error());
+        if (auto added = addFindings(m_connection, *id, analysis.profile); !added)
+            return tl::unexpected(added.error());
+        if (auto added = addPassages(m_connection, *id, analysis.profile.passages); !added)
+            return tl::unexpected(added.error());
+        if (auto added = addDoubtfulNames(m_connection, *id, analysis.doubtfulNames); !added)
+            return tl::unexpected(added.error());
+        if (auto added = addSeries(m_connection, *id, analysis.profile, source); !added)
+            return tl::unexpected(added.error());
+        if (auto written = writeDigests(m_connection, *id); !written)
+            return tl::unexpected(written.error());
+        analysis.id = *id;
+        analysis.proof = AnalysisRecord::Proof::Holds;
+        return std::move(analysis);
+    });
+}
+
+Result<std::vector<AnalysisRecord>> AnalysisRepository::current(RecordId trial) const
+{
+    auto analyses = currentMetrics(trial);
+    if (!analyses)
+        return analyses;
+    AnalysisDigests digests(m_connection);
+    for (AnalysisRecord &analysis : *analyses) {
+        const auto compared = digests.compare(analysis.id, shownDigestParts);
+        if (!compared)
+            return tl::unexpected(compared.error());
+        if (compared->isKept)
+            analysis.proof =
+                compared->changed.empty() ? AnalysisRecord::Proof::Holds : AnalysisRecord::Proof::Broken;
+        if (auto read = readDecisions(m_connection, analysis); !read)
+            return tl::unexpected(read.error());
+        if (auto read = readSeries(m_connection, analysis); !read)
+            return tl::unexpected(read.error());
+        auto doubts = doubtfulNames(analysis.id);
+        if (!doubts)
+            return tl::unexpected(doubts.error());
+        analysis.doubtfulNames = std::move(*doubts);
+    }
+    return analyses;
+}
+
+Result<std::vector<DoubtfulName>> AnalysisRepository::doubtfulNames(RecordId analysis) const
+{
+    return readDoubtfulNames(m_connection, analysis);
+}
+
+Result<std::map<RecordId, std::vector<std::string>>> AnalysisRepository::trialsByRegistration() const
+{
+    std::map<RecordId, std::vector<std::string>> trials;
+    Statement select(
+        m_connection,
+        QStringLiteral("SELECT DISTINCT registration_id, trial.name FROM analysis_view "
+                       "JOIN analysis ON analysis.id=analysis_id JOIN trial ON trial.id=trial_id "
+                       "WHERE registration_id IS NOT NULL AND analysis.id IN "
+                       "(SELECT MAX(id) FROM analysis GROUP BY trial_id, robot_id) ORDER BY trial.name"));
+    auto read = select.eachRow([&trials](const Statement &row) -> Result<void> {
+        trials[row.integer(0)].push_back(row.name(1));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return trials;
+}
+
+Result<std::vector<TrialFigure>> AnalysisRepository::figures(const std::string &metric, Instant from,
+                                                             Instant to) const
+{
+    std::vector<TrialFigure> figures;
+    Statement select(
+        m_connection,
+        QStringLiteral("SELECT trial.id, robot_id, unit, value, sigma FROM trial "
+                       "JOIN analysis ON analysis.trial_id=trial.id JOIN metric ON analysis_id=analysis.id "
+                       "WHERE date_ms>=? AND date_ms<=? AND metric.name=? AND analysis.id="
+                       "(SELECT MAX(newer.id) FROM analysis AS newer WHERE newer.trial_id=trial.id "
+                       "AND newer.robot_id=analysis.robot_id) ORDER BY date_ms, trial.id, robot_id"));
+    select.bind(static_cast<std::int64_t>(from.time_since_epoch().count()));
+    select.bind(static_cast<std::int64_t>(to.time_since_epoch().count()));
+    auto read = select.bind(metric).eachRow([&](const Statement &row) -> Result<void> {
+        figures.push_back(
+            {row.integer(0), row.integer(1), {metric, row.name(2), row.real(3), row.optionalReal(4)}});
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return figures;
+}
+
+Result<std::int64_t> AnalysisRepository::countWithoutDigest() const
+{
+    return m_connection.number(QStringLiteral(
+        "SELECT COUNT(*) FROM (SELECT MAX(id) AS newest FROM analysis GROUP BY trial_id, robot_id) "
+        "WHERE NOT EXISTS (SELECT 1 FROM analysis_digest WHERE analysis_id=newest)"));
+}
+
+Result<std::vector<std::string>> AnalysisRepository::metricNames() const
+{
+    return textsOf(m_connection, QStringLiteral("SELECT DISTINCT name FROM metric ORDER BY name"));
+}
+
+Result<std::vector<AnalysisRecord>> AnalysisRepository::currentMetrics(RecordId trial) const
+{
+    std::vector<AnalysisRecord> analyses;
+    Statement select(m_connection, newestColumns);
+    auto read = select.bind(trial).eachRow([&](const Statement &row) -> Result<void> {
+        auto analysis = analysisOf(row);
+        if (!analysis)
+            return tl::unexpected(analysis.error());
+        if (auto metrics = readMetrics(m_connection, *analysis); !metrics)
+            return metrics;
+        if (auto passages = readPassages(m_connection, *analysis); !passages)
+            return passages;
+        analyses.push_back(std::move(*analysis));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return analyses;
+}
+
+// AnalysisRepository's part of scoring.
+
+namespace {
+
+/// hasCourse, of the table task.
+const QString courseCondition = QStringLiteral(
+    "(EXISTS (SELECT 1 FROM gate WHERE gate.task_id=task.id) OR EXISTS (SELECT 1 FROM zone WHERE "
+    "zone.task_id=task.id) OR task.max_speed_m_s IS NOT NULL OR "
+    "task.max_accel_m_s2 IS NOT NULL OR COALESCE(LENGTH(task.path_points), 0)>8)"); // 8 bytes: no points
+
+/// Newest analyses of the trials of scored tasks, between two dates that are its first parameters.
+QString scoredAnalyses(const QString &columns, const char *joined)
+{
+    return QStringLiteral("SELECT analysis.id, %1 FROM trial JOIN analysis ON analysis.trial_id=trial.id "
+                          "JOIN task ON task.id=trial.task_id %2 "
+                          "WHERE date_ms>=? AND date_ms<=? AND trial.task_id IN (SELECT task_id FROM "
+                          "scoring) AND analysis.id="
+                          "(SELECT MAX(newer.id) FROM analysis AS newer WHERE newer.trial_id=trial.id AND "
+                          "newer.robot_id=analysis.robot_id) ORDER BY analysis.id")
+        .arg(columns, QLatin1String(joined));
+}
+
+void bindDates(Statement &statement, Instant from, Instant to)
+{
+    statement.bind(static_cast<std::int64_t>(from.time_since_epoch().count()));
+    statement.bind(static_cast<std::int64_t>(to.time_since_epoch().count()));
+}
+
+} // namespace
+
+Result<std::vector<ScoredFigures>> AnalysisRepository::scoredFigures(Instant from, Instant to) const
+{
+    std::vector<ScoredFigures> runs;
+    std::unordered_map<RecordId, std::size_t> runOf; // by analysis
+    Statement counts(
+        m_connection,
+        scoredAnalyses(
+            QStringLiteral(
+                "trial.id, analysis.robot_id, trial.task_id, "
+                "CASE WHEN COALESCE(analysis.task_id, 0)=trial.task_id OR NOT %1 THEN 1 ELSE 0 END, "
+                "(SELECT COUNT(*) FROM spike WHERE analysis_id=analysis.id), "
+                "(SELECT COUNT(*) FROM spike WHERE analysis_id=analysis.id AND (flags & 6)<>0), "
+                "(SELECT COUNT(DISTINCT gate) FROM gate_passage WHERE analysis_id=analysis.id)")
+                .arg(courseCondition),
+            ""));
+    static_assert((flagBit(SampleFlag::SpeedLimit) | flagBit(SampleFlag::AccelerationLimit)) == 6);
+    bindDates(counts, from, to);
+    auto read = counts.eachRow([&](const Statement &row) -> Result<void> {
+        runOf.emplace(row.integer(0), runs.size());
+        runs.push_back({row.integer(1),
+                        row.integer(2),
+                        row.integer(3),
+                        row.integer(4) != 0,
+                        {{"spikes", "1", row.real(5), {}},
+                         {"limit_breaches", "1", row.real(6), {}},
+                         {"gates_passed", "1", row.real(7), {}}}});
+        return {};
+    });
+    if (!read || runs.empty())
+        return read ? Result<std::vector<ScoredFigures>>(runs) : tl::unexpected(read.error());
+    Statement metrics(
+        m_connection,
+        scoredAnalyses(QStringLiteral("metric.name, unit, value, sigma"),
+                       "JOIN metric ON metric.analysis_id=analysis.id AND metric.name IN "
+                       "(SELECT scoring.metric FROM scoring WHERE scoring.task_id=trial.task_id)"));
+    bindDates(metrics, from, to);
+    read = metrics.eachRow([&](const Statement &row) -> Result<void> {
+        if (const auto run = runOf.find(row.integer(0));
+            run != runOf.end()) // not of one that came in between
+            runs[run->second].metrics.push_back({row.name(1), row.name(2), row.real(3), row.optionalReal(4)});
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return runs;
+}
+
+Result<std::vector<OtherwiseMeasured>> AnalysisRepository::trialsMeasuredOtherwise() const
+{
+    std::vector<OtherwiseMeasured> trials;
+    Statement select(
+        m_connection,
+        QStringLiteral(
+            "SELECT DISTINCT trial.id, trial.name, task.name, binned_ms FROM trial JOIN task ON "
+            "task.id=trial.task_id "
+            "JOIN analysis ON analysis.trial_id=trial.id WHERE COALESCE(analysis.task_id, 0)<>trial.task_id "
+            "AND %1 AND analysis.id=(SELECT MAX(newer.id) FROM analysis AS newer WHERE "
+            "newer.trial_id=trial.id AND newer.robot_id=analysis.robot_id) ORDER BY trial.id")
+            .arg(courseCondition));
+    auto read = select.eachRow([&trials](const Statement &row) -> Result<void> {
+        trials.push_back({row.integer(0), row.name(1), row.name(2), row.optionalReal(3).has_value()});
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return trials;
+}
+
+} // namespace odo

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/internal/calibration_rows.h"
+
+#include "core/project/internal/connection.h"
+#include "core/project/internal/series_blobs.h"
+#include "core/project/internal/stored_words.h"
+#include "core/project/names.h"
+#include "core/project/recording_rows.h"
+
+namespace odo {
+
+namespace {
+
+Result<void> addUsed(ProjectConnection &connection, const IntrinsicsRecord &record, std::size_t position)
+{
+    const CalibrationPicture &picture = record.calibration.pictures[position];
+    const StoredPicture file = position < record.files.size() ? record.files[position] : StoredPicture{};
+    if (auto valid = checkText("name of a calibration picture", picture.view.source); !valid)
+        return valid;
+    if (auto valid = checkText("path of a calibration picture", file.path); !valid)
+        return valid;
+    const std::filesystem::path path(file.path);
+    Statement insert(connection,
+                     QStringLiteral("INSERT INTO calibration_picture (intrinsics_id, position, file, rms_px, "
+                                    "used, corners, path, sha256, bytes) VALUES (?,?,?,?,?,?,?,?,?)"));
+    insert.bind(record.id)
+        .bind(static_cast<std::int64_t>(position))
+        .bind(picture.view.source)
+        .bind(picture.rmsPx);
+    insert.bind(picture.used ? 1 : 0).bind(packCorners(picture));
+    insert.bind(path.is_absolute() ? storedPath(connection.file(), path) : file.path);
+    return insert.bind(file.sha256).bind(file.bytes).run();
+}
+
+Result<void> addRejected(ProjectConnection &connection, const IntrinsicsRecord &record, std::size_t position)
+{
+    const RejectedPicture &picture = record.calibration.rejected[position];
+    if (auto valid = checkText("name of a calibration picture", picture.file); !valid)
+        return valid;
+    Statement insert(connection, QStringLiteral("INSERT INTO rejected_picture VALUES (?,?,?,?)"));
+    insert.bind(record.id).bind(static_cast<std::int64_t>(position)).bind(picture.file);
+    return insert.bind(picture.reason).run();
+}
+
+} // namespace
+
+Result<void> addCalibrationPictures(ProjectConnection &connection, const IntrinsicsRecord &record)
+{
+    for (std::size_t i = 0; i < record.calibration.pictures.size(); ++i) {
+        if (auto done = addUsed(connection, record, i); !done)
+            return done;
+    }
+    for (std::size_t i = 0; i < record.calibration.rejected.size(); ++i) {
+        if (auto done = addRejected(connection, record, i); !done)
+            return done;
+    }
+    return {};
+}
+
+Result<void> readCalibrationPictures(const ProjectConnection &connection, IntrinsicsRecord &into)
+{
+    Statement used(connection, QStringLiteral("SELECT file, rms_px, used, corners, path, sha256, bytes FROM "
+                                              "calibration_picture WHERE intrinsics_id=? ORDER BY position"));
+    auto read = used.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
+        CalibrationPicture picture;
+        picture.view.source = row.text(0);
+        picture.view.columns = into.board.columns;
+        picture.view.rows = into.board.rows;
+        picture.view.pattern = into.board.pattern.value_or(BoardPattern::Checkerboard);
+        picture.rmsPx = row.real(1);
+        picture.used = row.integer(2) != 0;
+        if (const QByteArray corners = row.blob(3); !corners.isEmpty()) {
+            if (auto unpacked = unpackCorners(corners, "corners of '" + picture.view.source + "'", picture);
+                !unpacked)
+                return unpacked;
+        }
+        into.calibration.pictures.push_back(std::move(picture));
+        into.files.push_back({row.text(4), row.text(5), row.integer(6)});
+        return {};
+    });
+    if (!read)
+        return read;
+    Statement rejected(connection,
+                       QStringLiteral("SELECT file, reason FROM rejected_picture WHERE intrinsics_id=? "
+                                      "ORDER BY position"));
+    return rejected.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
+        into.calibration.rejected.push_back({row.text(0), row.text(1)});
+        return {};
+    });
+}
+
+Result<RecordId> addLens(ProjectConnection &connection, const Intrinsics &intrinsics)
+{
+    Statement insert(connection,
+                     QStringLiteral("INSERT INTO lens (width_px, height_px, fx_px, fy_px, cx_px, cy_px, "
+                                    "model, distortion, covariance) VALUES (?,?,?,?,?,?,?,?,?)"));
+    insert.bind(intrinsics.widthPx).bind(intrinsics.heightPx).bind(intrinsics.fxPx).bind(intrinsics.fyPx);
+    insert.bind(intrinsics.cxPx).bind(intrinsics.cyPx).bind(storedWord(lensModelWords, intrinsics.model));
+    insert.bind(packNumbers(intrinsics.distortion)).bind(packSquare(intrinsics.covariance));
+    if (auto done = insert.run(); !done)
+        return tl::unexpected(done.error());
+    return insert.insertedId();
+}
+
+Result<Intrinsics> lens(const ProjectConnection &connection, RecordId id)
+{
+    Statement select(connection,
+                     QStringLiteral("SELECT width_px, height_px, fx_px, fy_px, cx_px, cy_px, model, "
+                                    "distortion, covariance FROM lens WHERE id=?"));
+    const auto found = select.bind(id).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found)
+        return noSuchId(connection, "lens", id);
+    const std::string what = "lens " + std::to_string(id) + " of the project";
+    const auto model = fromStoredWord(lensModelWords, select.text(6), what);
+    if (!model)
+        return tl::unexpected(model.error());
+    auto distortion = unpackNumbers(select.blob(7), what);
+    if (!distortion)
+        return tl::unexpected(distortion.error());
+    auto covariance = unpackSquare(select.blob(8), what);
+    if (!covariance)
+        return tl::unexpected(covariance.error());
+    Intrinsics intrinsics;
+    intrinsics.widthPx = select.smallInteger(0);
+    intrinsics.heightPx = select.smallInteger(1);
+    intrinsics.fxPx = select.real(2);
+    intrinsics.fyPx = select.real(3);
+    intrinsics.cxPx = select.real(4);
+    intrinsics.cyPx = select.real(5);
+    intrinsics.model = *model;
+    intrinsics.distortion = std::move(*distortion);
+    intrinsics.covariance = std::move(*covariance);
+    return intrinsics;
+}
+
+} // namespace odo

@@ -1,0 +1,481 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/lens_influence.h"
+#include "core/project/internal/calibration_rows.h"
+#include "core/project/internal/connection.h"
+#include "core/project/internal/series_blobs.h"
+#include "core/project/internal/stored_words.h"
+#include "core/project/names.h"
+#include "core/project/recording_rows.h"
+#include "core/project/records.h"
+#include "core/project/repositories.h"
+
+#include <optional>
+#include <vector>
+
+namespace odo {
+
+// Of a camera's calibrations, and likewise of its registrations, every revision stays; the newest is in force
+// unless a person has chosen another one. A choice of another camera's, which only a hand in the database can
+// make, is none; checkDerivedFigures names it. table: "intrinsics" or "registration", whose rows have a
+// camera_id, and for which camera has a column that names the chosen one. columns: a SELECT up to its WHERE.
+// On the project's thread.
+
+/// Makes a record of a row.
+template <class Record>
+using RowReader = Result<Record> (*)(const ProjectConnection &, const Statement &);
+
+/// The one in force; nullopt: there is none.
+template <class Record>
+Result<std::optional<Record>> currentRevision(const ProjectConnection &connection, const QString &columns,
+                                              const char *table, RecordId camera, RowReader<Record> read)
+{
+    Statement select(
+        connection,
+        columns +
+            QStringLiteral(
+                "WHERE id=COALESCE((SELECT chosen.id FROM camera JOIN %1 AS chosen ON chosen.id=camera.%1_id "
+                "AND chosen.camera_id=camera.id WHERE camera.id=?), (SELECT MAX(id) FROM %1 WHERE "
+                "camera_id=?))")
+                .arg(QLatin1String(table)));
+    const auto found = select.bind(camera).bind(camera).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found)
+        return std::nullopt;
+    auto record = read(connection, select);
+    if (!record)
+        return tl::unexpected(record.error());
+    return std::optional(std::move(*record));
+}
+
+/// The newest first.
+template <class Record>
+Result<std::vector<Record>> allRevisions(const ProjectConnection &connection, const QString &columns,
+                                         RecordId camera, RowReader<Record> read)
+{
+    std::vector<Record> all;
+    Statement select(connection, columns + QStringLiteral("WHERE camera_id=? ORDER BY id DESC"));
+    auto done = select.bind(camera).eachRow([&](const Statement &row) -> Result<void> {
+        auto record = read(connection, row);
+        if (!record)
+            return tl::unexpected(record.error());
+        all.push_back(std::move(*record));
+        return {};
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return all;
+}
+
+namespace {
+
+const QString intrinsicsColumns = QStringLiteral(
+    "SELECT id, camera_id, lens_id, made_ms, origin, rms_px, cross_validation_px, verdict, "
+    "software_version, board_pattern, board_columns, board_rows, square_m, marker_ratio, dictionary, "
+    "lens_reason, disagreeing_part FROM intrinsics ");
+
+CameraRecord cameraOf(const Statement &row)
+{
+    return {row.integer(0), row.name(1), row.text(2)};
+}
+
+Result<IntrinsicsRecord> readIntrinsics(const ProjectConnection &connection, const Statement &row)
+{
+    IntrinsicsRecord record;
+    record.id = row.integer(0);
+    record.camera = row.integer(1);
+    record.made = Instant(std::chrono::milliseconds(row.integer(3)));
+    record.origin = row.text(4);
+    record.calibration.rmsPx = row.real(5);
+    record.calibration.crossValidationPx = row.real(6);
+    record.calibration.verdict = row.text(7);
+    auto intrinsics = lens(connection, row.integer(2));
+    if (!intrinsics)
+        return tl::unexpected(intrinsics.error());
+    record.calibration.intrinsics = std::move(*intrinsics);
+    record.softwareVersion = row.name(8);
+    if (!row.text(9).empty()) {
+        const auto pattern = fromStoredWord(boardPatternWords, row.text(9),
+                                            "calibration " + std::to_string(record.id) + " of the project");
+        if (!pattern)
+            return tl::unexpected(pattern.error());
+        record.board.pattern = *pattern;
+    }
+    record.board.columns = row.smallInteger(10);
+    record.board.rows = row.smallInteger(11);
+    record.board.squareM = row.real(12);
+    record.board.markerRatio = row.real(13);
+    record.board.dictionary = row.text(14);
+    record.calibration.lensReason = row.text(15);
+    record.calibration.disagreeingPart = row.real(16);
+    if (auto read = readCalibrationPictures(connection, record); !read)
+        return tl::unexpected(read.error());
+    return record;
+}
+
+} // namespace
+
+CameraRepository::CameraRepository(ProjectConnection &connection) : m_connection(connection) {}
+
+Result<CameraRecord> CameraRepository::add(const CameraRecord &given)
+{
+    const CameraRecord camera{given.id, normalName(given.name), given.deviceUri};
+    return transact(m_connection, [&]() -> Result<CameraRecord> {
+        if (auto valid = checkName("camera", camera.name); !valid)
+            return tl::unexpected(valid.error());
+        if (auto valid = checkText("address of a camera", camera.deviceUri); !valid)
+            return tl::unexpected(valid.error());
+        if (auto isFree = checkNameIsFree(m_connection, "camera", "camera", camera.name); !isFree)
+            return tl::unexpected(isFree.error());
+        Statement insert(m_connection, QStringLiteral("INSERT INTO camera (name, device_uri) VALUES (?,?)"));
+        if (auto done = insert.bind(camera.name).bind(camera.deviceUri).run(); !done)
+            return tl::unexpected(done.error());
+        CameraRecord stored = camera;
+        stored.id = insert.insertedId();
+        return stored;
+    });
+}
+
+Result<std::vector<CameraRecord>> CameraRepository::all() const
+{
+    std::vector<CameraRecord> cameras;
+    Statement select(m_connection, QStringLiteral("SELECT id, name, device_uri FROM camera ORDER BY id"));
+    auto read = select.eachRow([&cameras](const Statement &row) -> Result<void> {
+        cameras.push_back(cameraOf(row));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return cameras;
+}
+
+Result<CameraRecord> CameraRepository::find(const std::string &name) const
+{
+    const auto id = idNamed(m_connection, "camera", name);
+    if (!id)
+        return tl::unexpected(id.error());
+    if (*id == 0)
+        return noSuchName(m_connection, "camera", "camera", name);
+    return get(*id);
+}
+
+Result<CameraRecord> CameraRepository::get(RecordId id) const
+{
+    Statement select(m_connection, QStringLiteral("SELECT id, name, device_uri FROM camera WHERE id=?"));
+    const auto found = select.bind(id).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found)
+        return noSuchId(m_connection, "camera", id);
+    return cameraOf(select);
+}
+
+Result<void> CameraRepository::setDevice(RecordId camera, const std::string &uri)
+{
+    if (auto valid = checkText("address of a camera", uri); !valid)
+        return valid;
+    Statement update(m_connection, QStringLiteral("UPDATE camera SET device_uri=? WHERE id=?"));
+    return update.bind(uri).bind(camera).run();
+}
+
+Result<void> CameraRepository::removeUnused(RecordId id)
+{
+    Statement remove(m_connection, QStringLiteral("DELETE FROM camera WHERE id=?"));
+    return remove.bind(id).run(); // its references hold it
+}
+
+Result<IntrinsicsRecord> CameraRepository::addIntrinsics(const IntrinsicsRecord &intrinsics)
+{
+    return transact(m_connection, [&]() -> Result<IntrinsicsRecord> {
+        const IntrinsicCalibration &calibration = intrinsics.calibration;
+        if (auto valid = checkText("origin of a calibration", intrinsics.origin); !valid)
+            return tl::unexpected(valid.error());
+        const auto lensId = addLens(m_connection, calibration.intrinsics);
+        if (!lensId)
+            return tl::unexpected(lensId.error());
+        Statement insert(
+            m_connection,
+            QStringLiteral("INSERT INTO intrinsics (camera_id, lens_id, made_ms, origin, rms_px, "
+                           "cross_validation_px, verdict, software_version, board_pattern, board_columns, "
+                           "board_rows, square_m, marker_ratio, dictionary, lens_reason, disagreeing_part) "
+                           "VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"));
+        insert.bind(intrinsics.camera).bind(*lensId);
+        insert.bind(static_cast<std::int64_t>(intrinsics.made.time_since_epoch().count()))
+            .bind(intrinsics.origin);
+        insert.bind(calibration.rmsPx).bind(calibration.crossValidationPx).bind(calibration.verdict);
+        const BoardSpec &board = intrinsics.board;
+        insert.bind(intrinsics.softwareVersion);
+        insert.bind(board.pattern ? storedWord(boardPatternWords, *board.pattern) : std::string());
+        insert.bind(board.columns)
+            .bind(board.rows)
+            .bind(board.squareM)
+            .bind(board.markerRatio)
+            .bind(board.dictionary);
+        insert.bind(calibration.lensReason).bind(calibration.disagreeingPart);
+        if (auto done = insert.run(); !done)
+            return tl::unexpected(done.error());
+        IntrinsicsRecord stored = intrinsics;
+        stored.id = insert.insertedId();
+        Statement newest(m_connection, QStringLiteral("UPDATE camera SET intrinsics_id=NULL WHERE id=?"));
+        if (auto done = newest.bind(intrinsics.camera).run(); !done)
+            return tl::unexpected(done.error());
+        if (auto added = addCalibrationPictures(m_connection, stored); !added)
+            return tl::unexpected(added.error());
+        return stored;
+    });
+}
+
+Result<std::optional<IntrinsicsRecord>> CameraRepository::currentIntrinsics(RecordId camera) const
+{
+    return currentRevision(m_connection, intrinsicsColumns, "intrinsics", camera, readIntrinsics);
+}
+
+Result<std::vector<IntrinsicsRecord>> CameraRepository::allIntrinsics(RecordId camera) const
+{
+    return allRevisions(m_connection, intrinsicsColumns, camera, readIntrinsics);
+}
+
+Result<void> CameraRepository::chooseIntrinsics(RecordId intrinsics)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        const auto chosen = this->intrinsics(intrinsics);
+        if (!chosen)
+            return tl::unexpected(chosen.error());
+        Statement update(m_connection, QStringLiteral("UPDATE camera SET intrinsics_id=? WHERE id=?"));
+        return update.bind(intrinsics).bind(chosen->camera).run();
+    });
+}
+
+Result<IntrinsicsRecord> CameraRepository::intrinsics(RecordId id) const
+{
+    Statement select(m_connection, intrinsicsColumns + QStringLiteral("WHERE id=?"));
+    const auto found = select.bind(id).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found)
+        return noSuchId(m_connection, "calibration", id);
+    return readIntrinsics(m_connection, select);
+}
+
+// The registrations of CameraRepository.
+
+namespace {
+
+const QString registrationColumns = QStringLiteral(
+    "SELECT id, camera_id, layout_id, intrinsics_id, assumed_lens_id, made_ms, qw, qx, qy, qz, "
+    "x_m, y_m, z_m, pose_covariance, rms_px, rms_m, verdict, software_version, picture_path, picture_sha256, "
+    "picture_bytes FROM registration ");
+
+Result<RecordId> addRow(ProjectConnection &connection, const RegistrationRecord &record, RecordId lensId)
+{
+    if (auto valid = checkText("path of a registration's picture", record.picture.path); !valid)
+        return tl::unexpected(valid.error());
+    Statement insert(
+        connection,
+        QStringLiteral("INSERT INTO registration (camera_id, layout_id, intrinsics_id, assumed_lens_id, "
+                       "made_ms, qw, qx, qy, qz, x_m, y_m, z_m, pose_covariance, rms_px, rms_m, verdict, "
+                       "software_version, picture_path, picture_sha256, picture_bytes) "
+                       "VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"));
+    const FloorRegistration &registration = record.registration;
+    const Eigen::Quaterniond &q = registration.worldFromCamera.rotation;
+    const Eigen::Vector3d &t = registration.worldFromCamera.translation;
+    insert.bind(record.camera).bind(record.layout).bindReference(record.intrinsics).bind(lensId);
+    insert.bind(static_cast<std::int64_t>(record.made.time_since_epoch().count()));
+    insert.bind(q.w()).bind(q.x()).bind(q.y()).bind(q.z()).bind(t.x()).bind(t.y()).bind(t.z());
+    insert.bind(packSquare(registration.poseCovariance)).bind(registration.rmsPx).bind(registration.rmsM);
+    insert.bind(registration.verdict).bind(record.softwareVersion);
+    const StoredPicture &picture = record.picture;
+    const std::filesystem::path path(picture.path);
+    insert.bind(path.is_absolute() ? storedPath(connection.file(), path) : picture.path)
+        .bind(picture.sha256)
+        .bind(picture.bytes);
+    if (auto done = insert.run(); !done)
+        return tl::unexpected(done.error());
+    return insert.insertedId();
+}
+
+Result<void> addMarkers(ProjectConnection &connection, RecordId id, const RegistrationRecord &record)
+{
+    for (std::size_t i = 0; i < record.pixels.size(); ++i) {
+        const MarkerPixel &marker = record.pixels[i];
+        if (auto valid = checkName("marker", marker.label); !valid)
+            return valid;
+        Statement insert(connection, QStringLiteral("INSERT INTO registration_pixel VALUES (?,?,?,?,?)"));
+        insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(marker.label);
+        if (auto done = insert.bind(marker.pixel.x()).bind(marker.pixel.y()).run(); !done)
+            return done;
+    }
+    for (std::size_t i = 0; i < record.registration.markers.size(); ++i) {
+        const MarkerError &marker = record.registration.markers[i];
+        if (auto valid = checkName("marker", marker.label); !valid)
+            return valid;
+        Statement insert(connection, QStringLiteral("INSERT INTO registration_error VALUES (?,?,?,?,?)"));
+        insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(marker.label);
+        if (auto done = insert.bind(marker.errorM).bind(marker.errorPx).run(); !done)
+            return done;
+    }
+    return {};
+}
+
+Result<void> readMarkers(const ProjectConnection &connection, RegistrationRecord &into)
+{
+    Statement pixels(connection, QStringLiteral("SELECT label, u_px, v_px FROM registration_pixel "
+                                                "WHERE registration_id=? ORDER BY position"));
+    auto read = pixels.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
+        into.pixels.push_back({row.name(0), {row.real(1), row.real(2)}});
+        return {};
+    });
+    if (!read)
+        return read;
+    Statement errors(connection, QStringLiteral("SELECT label, error_m, error_px FROM registration_error "
+                                                "WHERE registration_id=? ORDER BY position"));
+    return errors.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
+        into.registration.markers.push_back({row.name(0), row.real(1), row.real(2)});
+        return {};
+    });
+}
+
+Result<void> readLastCheck(const ProjectConnection &connection, RegistrationRecord &into)
+{
+    Statement select(
+        connection,
+        QStringLiteral("SELECT made_ms, outcome, shift_px, shift_m, words FROM registration_check "
+                       "WHERE registration_id=? ORDER BY id DESC LIMIT 1"));
+    const auto found = select.bind(into.id).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found)
+        return {};
+    const auto outcome = fromStoredWord(checkOutcomeWords, select.text(1),
+                                        "registration " + std::to_string(into.id) + " of the project");
+    if (!outcome)
+        return tl::unexpected(outcome.error());
+    into.lastCheck = RegistrationCheck{Instant(std::chrono::milliseconds(select.integer(0))), *outcome,
+                                       select.real(2), select.real(3), select.text(4)};
+    return {};
+}
+
+/// Not stored, since it follows from the rest: registrations made by older versions have it too.
+Result<void> addFloorSigma(const ProjectConnection &connection, RegistrationRecord &record)
+{
+    Intrinsics used = record.assumedIntrinsics;
+    if (record.intrinsics != 0) {
+        Statement select(connection, QStringLiteral("SELECT lens_id FROM intrinsics WHERE id=?"));
+        const auto found = select.bind(record.intrinsics).firstRow();
+        if (!found)
+            return tl::unexpected(found.error());
+        auto stored = lens(connection, *found ? select.integer(0) : 0);
+        if (!stored)
+            return tl::unexpected(stored.error());
+        used = std::move(*stored);
+    }
+    if (const auto camera = CameraModel::create(std::move(used)))
+        record.registration.floorSigmaM = floorSigmaM(record.registration, *camera, record.pixels);
+    return {};
+}
+
+Result<RegistrationRecord> readRegistration(const ProjectConnection &connection, const Statement &row)
+{
+    RegistrationRecord record;
+    record.id = row.integer(0);
+    record.camera = row.integer(1);
+    record.layout = row.integer(2);
+    record.intrinsics = row.integer(3);
+    record.made = Instant(std::chrono::milliseconds(row.integer(5)));
+    FloorRegistration &registration = record.registration;
+    registration.worldFromCamera.rotation = {row.real(6), row.real(7), row.real(8), row.real(9)};
+    registration.worldFromCamera.translation = {row.real(10), row.real(11), row.real(12)};
+    registration.rmsPx = row.real(14);
+    registration.rmsM = row.real(15);
+    registration.verdict = row.text(16);
+    record.softwareVersion = row.name(17);
+    record.picture = {row.text(18), row.text(19), row.integer(20)};
+    const std::string what = "registration " + std::to_string(record.id) + " of the project";
+    const auto covariance = unpackSquare(row.blob(13), what);
+    if (!covariance)
+        return tl::unexpected(covariance.error());
+    if (covariance->rows() != 6)
+        return fail(ErrorCode::InvalidInput, what, "its stored covariance is not a 6 by 6 matrix",
+                    "the project file is damaged: restore it from a backup copy");
+    registration.poseCovariance = *covariance;
+    auto assumed = lens(connection, row.integer(4));
+    if (!assumed)
+        return tl::unexpected(assumed.error());
+    record.assumedIntrinsics = std::move(*assumed);
+    if (auto read = readMarkers(connection, record); !read)
+        return tl::unexpected(read.error());
+    if (auto read = readLastCheck(connection, record); !read)
+        return tl::unexpected(read.error());
+    if (auto added = addFloorSigma(connection, record); !added)
+        return tl::unexpected(added.error());
+    return record;
+}
+
+} // namespace
+
+Result<RegistrationRecord> CameraRepository::addRegistration(const RegistrationRecord &registration)
+{
+    return transact(m_connection, [&]() -> Result<RegistrationRecord> {
+        const auto lensId = addLens(m_connection, registration.assumedIntrinsics);
+        if (!lensId)
+            return tl::unexpected(lensId.error());
+        const auto id = addRow(m_connection, registration, *lensId);
+        if (!id)
+            return tl::unexpected(id.error());
+        if (auto added = addMarkers(m_connection, *id, registration); !added)
+            return tl::unexpected(added.error());
+        Statement newest(m_connection, QStringLiteral("UPDATE camera SET registration_id=NULL WHERE id=?"));
+        if (auto done = newest.bind(registration.camera).run(); !done)
+            return tl::unexpected(done.error());
+        RegistrationRecord stored = registration;
+        stored.id = *id;
+        return stored;
+    });
+}
+
+Result<std::optional<RegistrationRecord>> CameraRepository::currentRegistration(RecordId camera) const
+{
+    return currentRevision(m_connection, registrationColumns, "registration", camera, readRegistration);
+}
+
+Result<std::vector<RegistrationRecord>> CameraRepository::allRegistrations(RecordId camera) const
+{
+    return allRevisions(m_connection, registrationColumns, camera, readRegistration);
+}
+
+Result<void> CameraRepository::chooseRegistration(RecordId registration)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        const auto chosen = this->registration(registration);
+        if (!chosen)
+            return tl::unexpected(chosen.error());
+        Statement update(m_connection, QStringLiteral("UPDATE camera SET registration_id=? WHERE id=?"));
+        return update.bind(registration).bind(chosen->camera).run();
+    });
+}
+
+Result<void> CameraRepository::addCheck(RecordId registration, const RegistrationCheck &check)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        Statement insert(
+            m_connection,
+            QStringLiteral("INSERT INTO registration_check (registration_id, made_ms, outcome, shift_px, "
+                           "shift_m, words) VALUES (?,?,?,?,?,?)"));
+        insert.bind(registration).bind(static_cast<std::int64_t>(check.made.time_since_epoch().count()));
+        insert.bind(storedWord(checkOutcomeWords, check.outcome)).bind(check.shiftPx).bind(check.shiftM);
+        return insert.bind(check.words).run();
+    });
+}
+
+Result<RegistrationRecord> CameraRepository::registration(RecordId id) const
+{
+    Statement select(m_connection, registrationColumns + QStringLiteral("WHERE id=?"));
+    const auto found = select.bind(id).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found)
+        return noSuchId(m_connection, "registration", id);
+    return readRegistration(m_connection, select);
+}
+
+} // namespace odo

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/internal/change_journal.h"
+
+#include "core/project/internal/connection.h"
+#include "core/project/internal/stored_words.h"
+#include "core/project/names.h"
+#include "core/project/records.h"
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+
+// Debian's library has the session extension; its header declares it only to those who ask.
+#define SQLITE_ENABLE_SESSION 1
+#define SQLITE_ENABLE_PREUPDATE_HOOK 1
+#include <sqlite3.h>
+
+namespace odo {
+
+namespace {
+
+/// The journal's own table is told, never taken back.
+constexpr const char *entryTable = "change_entry";
+
+struct SessionEnd
+{
+    void operator()(sqlite3_session *session) const { sqlite3session_delete(session); }
+};
+using Session = std::unique_ptr<sqlite3_session, SessionEnd>;
+
+struct SqliteFree
+{
+    void operator()(void *memory) const { sqlite3_free(memory); }
+};
+
+tl::unexpected<Error> refusal(const ProjectConnection &connection, int code)
+{
+    return fail(ErrorCode::Internal, connection.displayName(),
+                std::string("the change could not be noted (") + sqlite3_errstr(code) + ")", "try it again");
+}
+
+Result<Session> watch(const ProjectConnection &connection)
+{
+    sqlite3_session *session = nullptr;
+    if (const int code = sqlite3session_create(connection.handle(), "main", &session); code != SQLITE_OK)
+        return refusal(connection, code);
+    Session watching(session);
+    sqlite3session_table_filter(
+        session, [](void *, const char *table) { return std::strcmp(table, entryTable) != 0 ? 1 : 0; },
+        nullptr);
+    if (const int code = sqlite3session_attach(session, nullptr); code != SQLITE_OK)
+        return refusal(connection, code);
+    return watching;
+}
+
+/// Calls a function of SQLite that gives a changeset.
+template <class Make>
+Result<std::vector<std::byte>> changeset(const ProjectConnection &connection, const Make &make)
+{
+    int size = 0;
+    void *memory = nullptr;
+    const int code = make(&size, &memory);
+    const std::unique_ptr<void, SqliteFree> owner(memory);
+    if (code != SQLITE_OK)
+        return refusal(connection, code);
+    const auto *bytes = static_cast<const std::byte *>(memory);
+    return std::vector<std::byte>(bytes, bytes + size);
+}
+
+int abortOnConflict(void *, int, sqlite3_changeset_iter *)
+{
+    return SQLITE_CHANGESET_ABORT;
+}
+
+struct TouchedAnalysis
+{
+    RecordId id = 0, trial = 0, robot = 0;
+};
+
+struct ChangesetEnd
+{
+    void operator()(sqlite3_changeset_iter *rows) const { sqlite3changeset_finalize(rows); }
+};
+
+/// The analyses that a changeset adds or removes. rows is read only.
+Result<std::vector<TouchedAnalysis>> touchedAnalyses(const ProjectConnection &connection, std::size_t size,
+                                                     void *rows)
+{
+    sqlite3_changeset_iter *start = nullptr;
+    if (const int code = sqlite3changeset_start(&start, static_cast<int>(size), rows); code != SQLITE_OK)
+        return refusal(connection, code);
+    const std::unique_ptr<sqlite3_changeset_iter, ChangesetEnd> each(start);
+    std::vector<TouchedAnalysis> touched;
+    int code = SQLITE_ROW;
+    while ((code = sqlite3changeset_next(start)) == SQLITE_ROW) {
+        const char *table = nullptr;
+        int columns = 0, operation = 0;
+        sqlite3changeset_op(start, &table, &columns, &operation, nullptr);
+        if (std::strcmp(table, "analysis") != 0 || operation == SQLITE_UPDATE)
+            continue;
+        const auto number = [&](int column) -> RecordId {
+            sqlite3_value *value = nullptr;
+            (operation == SQLITE_INSERT ? sqlite3changeset_new : sqlite3changeset_old)(start, column, &value);
+            return value ? sqlite3_value_int64(value) : 0;
+        };
+        touched.push_back({number(0), number(1), number(2)}); // id, trial_id, robot_id
+    }
+    if (code != SQLITE_DONE)
+        return refusal(connection, code);
+    return touched;
+}
+
+/// Whether somebody analysed one of these robots again after the change: what is shown comes from that
+/// analysis and would stay.
+Result<bool> isAnalysedSince(const ProjectConnection &connection, const std::vector<TouchedAnalysis> &touched)
+{
+    for (const TouchedAnalysis &one : touched) {
+        Statement newest(connection,
+                         QStringLiteral("SELECT MAX(id) FROM analysis WHERE trial_id=? AND robot_id=?"));
+        const auto found = newest.bind(one.trial).bind(one.robot).firstRow();
+        if (!found)
+            return tl::unexpected(found.error());
+        const RecordId id = newest.integer(0);
+        if (id > one.id && std::ranges::find(touched, id, &TouchedAnalysis::id) == touched.end())
+            return true;
+    }
+    return false;
+}
+
+} // namespace
+
+ChangeJournal::ChangeJournal(ProjectConnection &connection, std::size_t mostBytes)
+    : m_connection(connection), m_mostBytes(mostBytes)
+{
+}
+
+Result<void> ChangeJournal::make(const std::string &words, const std::function<Result<void>()> &work)
+{
+    return begin(&ChangeJournal::record, words, work);
+}
+
+Result<void> ChangeJournal::note(const std::string &words, const std::function<Result<void>()> &work)
+{
+    return begin(&ChangeJournal::count, words, work);
+}
+
+Result<void> ChangeJournal::begin(Watched how, const std::string &words,
+                                  const std::function<Result<void>()> &work)
+{
+    if (m_isMaking)
+        return transact(m_connection, work);
+    if (auto valid = checkText("words of a change", words); !valid)
+        return valid;
+    m_isMaking = true;
+    auto made = (this->*how)(words, work);
+    m_isMaking = false;
+    return made;
+}
+
+Result<void> ChangeJournal::count(const std::string &words, const std::function<Result<void>()> &work)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        const auto before = sqlite3_total_changes64(m_connection.handle());
+        if (auto done = work(); !done)
+            return done;
+        const bool isChanged = sqlite3_total_changes64(m_connection.handle()) != before;
+        return isChanged ? tell(words, ChangeEntry::Kind::Made) : Result<void>();
+    });
+}
+
+Result<void> ChangeJournal::record(const std::string &words, const std::function<Result<void>()> &work)
+{
+    Change change{words, {}};
+    const auto watched = [&]() -> Result<void> {
+        const auto session = watch(m_connection);
+        if (!session)
+            return tl::unexpected(session.error());
+        if (auto done = work(); !done)
+            return done;
+        auto rows = changeset(m_connection, [&](int *size, void **bytes) {
+            return sqlite3session_changeset(session->get(), size, bytes);
+        });
+        if (!rows)
+            return tl::unexpected(rows.error());
+        change.rows = std::move(*rows);
+        return change.rows.empty() ? Result<void>() : tell(words, ChangeEntry::Kind::Made);
+    };
+    if (auto done = transact(m_connection, watched); !done)
+        return done;
+    if (change.rows.empty())
+        return {};
+    m_undone.clear();
+    m_done.push_back(std::move(change));
+    forgetOldest();
+    return {};
+}
+
+void ChangeJournal::forgetOldest()
+{
+    std::size_t bytes = 0;
+    for (const Change &change : m_done)
+        bytes += change.rows.size();
+    while (bytes > m_mostBytes) {
+        bytes -= m_done.front().rows.size();
+        m_done.pop_front();
+    }
+}
+
+Result<void> ChangeJournal::tell(const std::string &words, ChangeEntry::Kind kind)
+{
+    const auto now = instantNow();
+    Statement insert(m_connection,
+                     QStringLiteral("INSERT INTO change_entry (made_ms, kind, words) VALUES (?,?,?)"));
+    insert.bind(static_cast<std::int64_t>(now.time_since_epoch().count()));
+    return insert.bind(storedWord(changeKindWords, kind)).bind(words).run();
+}
+
+Result<void> ChangeJournal::apply(const Bytes &rows, const std::string &what, const std::string &words,
+                                  ChangeEntry::Kind kind)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        // SQLite reads them only, whatever it asks for.
+        auto *bytes =
+            const_cast<std::byte *>(rows.data()); // NOLINT(cppcoreguidelines-pro-type-const-cast): see above
+        const auto touched = touchedAnalyses(m_connection, rows.size(), bytes);
+        if (!touched)
+            return tl::unexpected(touched.error());
+        const auto isSuperseded = isAnalysedSince(m_connection, *touched);
+        if (!isSuperseded)
+            return tl::unexpected(isSuperseded.error());
+        const int code = *isSuperseded
+                             ? SQLITE_ABORT
+                             : sqlite3changeset_apply(m_connection.handle(), static_cast<int>(rows.size()),
+                                                      bytes, nullptr, abortOnConflict, nullptr);
+        if (code == SQLITE_ABORT || code == SQLITE_CONSTRAINT)
+            return fail(ErrorCode::InvalidInput, what + " '" + words + "'",
+                        "what it concerns has been changed or used since",
+                        "take the later change back first, or leave it");
+        if (code != SQLITE_OK)
+            return refusal(m_connection, code);
+        return tell(words, kind);
+    });
+}
+
+Result<std::string> ChangeJournal::undo()
+{
+    if (m_done.empty())
+        return fail(ErrorCode::NotFound, "undo", "nothing has been changed since the project was opened",
+                    "change something first");
+    const Change &last = m_done.back();
+    const auto inverse = changeset(m_connection, [&](int *size, void **bytes) {
+        return sqlite3changeset_invert(static_cast<int>(last.rows.size()), last.rows.data(), size, bytes);
+    });
+    if (!inverse)
+        return tl::unexpected(inverse.error());
+    if (auto done = apply(*inverse, "undo", last.words, ChangeEntry::Kind::Undone); !done)
+        return tl::unexpected(done.error());
+    m_undone.push_back(std::move(m_done.back()));
+    m_done.pop_back();
+    return m_undone.back().words;
+}
+
+Result<std::string> ChangeJournal::redo()
+{
+    if (m_undone.empty())
+        return fail(ErrorCode::NotFound, "redo", "nothing has been undone", "undo something first");
+    const Change &last = m_undone.back();
+    if (auto done = apply(last.rows, "redo", last.words, ChangeEntry::Kind::Redone); !done)
+        return tl::unexpected(done.error());
+    m_done.push_back(std::move(m_undone.back()));
+    m_undone.pop_back();
+    return m_done.back().words;
+}
+
+Result<std::vector<ChangeEntry>> changeEntries(const ProjectConnection &connection)
+{
+    std::vector<ChangeEntry> entries;
+    Statement select(connection,
+                     QStringLiteral("SELECT made_ms, kind, words FROM change_entry ORDER BY id DESC"));
+    auto read = select.eachRow([&](const Statement &row) -> Result<void> {
+        ChangeEntry entry;
+        entry.made = Instant(std::chrono::milliseconds(row.integer(0)));
+        const auto kind = fromStoredWord(changeKindWords, row.text(1), "the list of changes");
+        if (!kind)
+            return tl::unexpected(kind.error());
+        entry.kind = *kind;
+        entry.words = row.text(2);
+        entries.push_back(std::move(entry));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return entries;
+}
+
+} // namespace odo

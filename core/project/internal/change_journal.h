@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/project/records.h"
+
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+struct ProjectConnection;
+
+/// The changes that were made to a project in this sitting, each of which can be taken back and made again:
+/// the rows they touched, as they were before and after (SQLite's session extension), so that a change needs
+/// no code of its own to be undone. Each is told in the project as well (table change_entry), and so is that
+/// it was taken back.
+///
+/// Private to core/project; belongs to the thread of its connection.
+class ChangeJournal
+{
+public:
+    /// mostBytes: the oldest changes are forgotten when all together take more.
+    explicit ChangeJournal(ProjectConnection &connection, std::size_t mostBytes = std::size_t(64) << 20);
+
+    /// Runs work in one transaction, rolled back when it fails. words: what it does, for people ("rename team
+    /// Falcon"). Work that changes nothing leaves no trace. Inside another change it is a part of that one.
+    Result<void> make(const std::string &words, const std::function<Result<void>()> &work);
+    /// As make, of what is told but cannot be taken back: its rows are not kept, however many they are. What
+    /// can be taken back or made again stays so.
+    Result<void> note(const std::string &words, const std::function<Result<void>()> &work);
+    /// Gives the words of the change. NotFound where there is none; InvalidInput, and nothing done, where
+    /// what it changed was changed since by something that is not in the journal, or where a robot it
+    /// analysed was analysed again since.
+    Result<std::string> undo();
+    Result<std::string> redo();
+
+    /// Of the change that would be taken back, or made again; empty: there is none.
+    std::string undoWords() const { return m_done.empty() ? std::string() : m_done.back().words; }
+    std::string redoWords() const { return m_undone.empty() ? std::string() : m_undone.back().words; }
+
+private:
+    using Bytes = std::vector<std::byte>;
+    struct Change
+    {
+        std::string words;
+        Bytes rows; ///< SQLite's changeset
+    };
+    using Watched = Result<void> (ChangeJournal::*)(const std::string &,
+                                                    const std::function<Result<void>()> &);
+    Result<void> begin(Watched how, const std::string &words, const std::function<Result<void>()> &work);
+    Result<void> count(const std::string &words, const std::function<Result<void>()> &work);
+    Result<void> record(const std::string &words, const std::function<Result<void>()> &work);
+    Result<void> tell(const std::string &words, ChangeEntry::Kind kind);
+    Result<void> apply(const Bytes &rows, const std::string &what, const std::string &words,
+                       ChangeEntry::Kind kind);
+    void forgetOldest();
+
+    ProjectConnection &m_connection;
+    const std::size_t m_mostBytes;
+    std::deque<Change> m_done, m_undone;
+    bool m_isMaking = false;
+};
+
+/// What was changed and when, the newest first.
+Result<std::vector<ChangeEntry>> changeEntries(const ProjectConnection &connection);
+
+} // namespace odo

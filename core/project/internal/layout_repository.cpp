@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/internal/connection.h"
+#include "core/project/names.h"
+#include "core/project/repositories.h"
+
+#include <algorithm>
+#include <set>
+
+namespace odo {
+
+namespace {
+
+/// A stored place as near to it as a floor reaches.
+Eigen::Vector2d onFloor(const Eigen::Vector2d &point)
+{
+    constexpr double furthestM = 1000; // as isOnFloor has it
+    return point.cwiseMax(-furthestM).cwiseMin(furthestM);
+}
+
+Result<void> checkMarkers(const MarkerLayout &layout)
+{
+    if (layout.markers.size() > mostMarkers)
+        return fail(ErrorCode::InvalidInput, "layout '" + layout.name + "'",
+                    "it has more than " + std::to_string(mostMarkers) + " markers",
+                    "leave out those that no camera sees");
+    std::set<std::string> labels;
+    for (const Marker &marker : layout.markers) {
+        if (auto valid = checkName("marker", marker.label); !valid)
+            return valid;
+        if (!isOnFloor(marker.pointInWorld))
+            return fail(ErrorCode::InvalidInput, "layout '" + layout.name + "'",
+                        "marker '" + marker.label + "' is not on a floor of 1 km", "check the numbers");
+        if (!labels.insert(marker.label).second)
+            return fail(ErrorCode::InvalidInput, "layout '" + layout.name + "'",
+                        "the label '" + marker.label + "' is there twice",
+                        "give each marker a label of its own");
+    }
+    return {};
+}
+
+Result<LayoutRecord> readLayout(const ProjectConnection &connection, RecordId id, const std::string &name)
+{
+    LayoutRecord record{id, {name, {}}};
+    Statement select(
+        connection,
+        QStringLiteral("SELECT label, x_m, y_m FROM marker WHERE layout_id=? ORDER BY position LIMIT ?"));
+    auto read = select.bind(id)
+                    .bind(static_cast<std::int64_t>(mostMarkers))
+                    .eachRow([&record](const Statement &row) -> Result<void> {
+                        record.layout.markers.push_back({row.name(0), onFloor({row.real(1), row.real(2)})});
+                        return {};
+                    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return record;
+}
+
+} // namespace
+
+LayoutRepository::LayoutRepository(ProjectConnection &connection) : m_connection(connection) {}
+
+Result<LayoutRecord> LayoutRepository::add(const MarkerLayout &given)
+{
+    MarkerLayout layout = given;
+    layout.name = normalName(given.name);
+    return transact(m_connection, [&]() -> Result<LayoutRecord> {
+        if (auto valid = checkName("layout", layout.name); !valid)
+            return tl::unexpected(valid.error());
+        if (auto valid = checkMarkers(layout); !valid)
+            return tl::unexpected(valid.error());
+        if (auto isFree = checkNameIsFree(m_connection, "layout", "layout", layout.name); !isFree)
+            return tl::unexpected(isFree.error());
+        Statement insert(m_connection, QStringLiteral("INSERT INTO layout (name) VALUES (?)"));
+        if (auto done = insert.bind(layout.name).run(); !done)
+            return tl::unexpected(done.error());
+        const RecordId id = insert.insertedId();
+        for (std::size_t i = 0; i < layout.markers.size(); ++i) {
+            const Marker &marker = layout.markers[i];
+            Statement row(m_connection, QStringLiteral("INSERT INTO marker VALUES (?,?,?,?,?)"));
+            row.bind(id).bind(static_cast<std::int64_t>(i)).bind(marker.label);
+            if (auto done = row.bind(marker.pointInWorld.x()).bind(marker.pointInWorld.y()).run(); !done)
+                return tl::unexpected(done.error());
+        }
+        return LayoutRecord{id, layout};
+    });
+}
+
+Result<std::vector<LayoutRecord>> LayoutRepository::all() const
+{
+    std::vector<LayoutRecord> layouts;
+    Statement select(m_connection, QStringLiteral("SELECT id, name FROM layout ORDER BY id"));
+    auto read = select.eachRow([&](const Statement &row) -> Result<void> {
+        auto layout = readLayout(m_connection, row.integer(0), row.name(1));
+        if (!layout)
+            return tl::unexpected(layout.error());
+        layouts.push_back(std::move(*layout));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return layouts;
+}
+
+Result<LayoutRecord> LayoutRepository::find(const std::string &name) const
+{
+    const auto id = idNamed(m_connection, "layout", name);
+    if (!id)
+        return tl::unexpected(id.error());
+    if (*id == 0)
+        return noSuchName(m_connection, "layout", "layout", name);
+    return get(*id);
+}
+
+Result<LayoutRecord> LayoutRepository::get(RecordId id) const
+{
+    Statement select(m_connection, QStringLiteral("SELECT id, name FROM layout WHERE id=?"));
+    const auto found = select.bind(id).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found)
+        return noSuchId(m_connection, "layout", id);
+    return readLayout(m_connection, select.integer(0), select.name(1));
+}
+
+Result<void> LayoutRepository::setPlaces(const LayoutRecord &layout)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        const auto stored = get(layout.id);
+        if (!stored)
+            return tl::unexpected(stored.error());
+        if (!std::ranges::equal(stored->layout.markers, layout.layout.markers, {}, &Marker::label,
+                                &Marker::label))
+            return fail(ErrorCode::InvalidInput, "layout '" + stored->layout.name + "'",
+                        "the labels are not those that it has", "add another layout for other markers");
+        if (auto valid = checkMarkers({stored->layout.name, layout.layout.markers}); !valid)
+            return valid;
+        for (std::size_t i = 0; i < layout.layout.markers.size(); ++i) {
+            const Marker &marker = layout.layout.markers[i];
+            Statement update(
+                m_connection,
+                QStringLiteral("UPDATE marker SET x_m=?, y_m=? WHERE layout_id=? AND position=?"));
+            update.bind(marker.pointInWorld.x()).bind(marker.pointInWorld.y()).bind(layout.id);
+            if (auto done = update.bind(static_cast<std::int64_t>(i)).run(); !done)
+                return done;
+        }
+        return {};
+    });
+}
+
+} // namespace odo

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/internal/migrator.h"
+
+#include "core/base/file_system.h"
+#include "core/project/internal/connection.h"
+#include "core/project/new_file.h"
+
+#include <sqlite3.h>
+
+namespace odo {
+
+namespace {
+
+Result<void> setVersion(ProjectConnection &connection, int version)
+{
+    return connection.execute(QStringLiteral("PRAGMA user_version=%1").arg(version));
+}
+
+std::filesystem::path freeBackupName(const std::filesystem::path &file, std::int64_t version)
+{
+    std::filesystem::path name = file;
+    name += ".bak-";
+    name += std::to_string(version);
+    const std::filesystem::path first = name;
+    for (int i = 2; files::exists(name); ++i) {
+        name = first;
+        name += '.' + std::to_string(i);
+    }
+    return name;
+}
+
+/// Copies all pages; the result code of SQLite.
+int copyPages(sqlite3 *source, const std::filesystem::path &target)
+{
+    sqlite3 *copy = nullptr;
+    int code = sqlite3_open_v2(target.c_str(), &copy, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
+    if (code == SQLITE_OK) {
+        sqlite3_backup *backup = sqlite3_backup_init(copy, "main", source, "main");
+        if (backup != nullptr) {
+            sqlite3_backup_step(backup, -1);
+            code = sqlite3_backup_finish(backup);
+        } else {
+            code = sqlite3_errcode(copy);
+        }
+    }
+    if (code == SQLITE_OK) // the log of the source is not the copy's
+        code = sqlite3_exec(copy, ("PRAGMA default_cache_size=" + std::to_string(newLogMark())).c_str(),
+                            nullptr, nullptr, nullptr);
+    sqlite3_close(copy);
+    return code;
+}
+
+/// Opens the copy for reading and lets SQLite look through it.
+Result<void> checkCopy(const std::filesystem::path &file, const std::string &what)
+{
+    const auto copy = ProjectConnection::open(file, DatabaseAccess::Immutable);
+    if (!copy)
+        return tl::unexpected(copy.error());
+    if (!passesQuickCheck(**copy).value_or(false))
+        return fail(ErrorCode::Io, what, "the copy differs from what was written",
+                    "check the disk and try again");
+    return {};
+}
+
+} // namespace
+
+Migration sqlMigration(std::string purpose, std::vector<std::string> statements)
+{
+    const auto apply = [statements = std::move(statements)](ProjectConnection &connection) -> Result<void> {
+        for (const std::string &sql : statements) {
+            if (auto done = connection.execute(QString::fromStdString(sql)); !done)
+                return done;
+        }
+        return {};
+    };
+    return {std::move(purpose), apply};
+}
+
+Result<void> Migrator::create(ProjectConnection &connection, int version) const
+{
+    return runSteps(connection, 0, version);
+}
+
+Result<int> Migrator::knownVersion(const ProjectConnection &connection) const
+{
+    const auto version = connection.number(QStringLiteral("PRAGMA user_version"));
+    if (!version)
+        return tl::unexpected(version.error());
+    if (*version > newestVersion())
+        return fail(ErrorCode::NewerFormat, connection.displayName(),
+                    "it was written by a newer Odograph (format " + std::to_string(*version) +
+                        ", this one knows formats up to " + std::to_string(newestVersion()) + ")",
+                    "open it with that Odograph, or update this one");
+    if (*version < 1)
+        return fail(ErrorCode::InvalidInput, connection.displayName(),
+                    "it says of itself to have the format " + std::to_string(*version),
+                    "restore it from a backup copy");
+    return static_cast<int>(*version);
+}
+
+Result<void> Migrator::migrate(ProjectConnection &connection) const
+{
+    const auto version = knownVersion(connection);
+    if (!version)
+        return tl::unexpected(version.error());
+    if (*version == newestVersion())
+        return {};
+    if (auto kept = copyDatabase(connection, freeBackupName(connection.file(), *version)); !kept)
+        return kept;
+    return runSteps(connection, *version, newestVersion());
+}
+
+Result<void> Migrator::runSteps(ProjectConnection &connection, int fromVersion, int toVersion) const
+{
+    for (int version = fromVersion + 1; version <= toVersion; ++version) {
+        const Migration &migration = m_migrations[static_cast<std::size_t>(version - 1)];
+        const auto step = [&]() -> Result<void> {
+            if (auto applied = migration.apply(connection); !applied)
+                return applied;
+            return setVersion(connection, version);
+        };
+        if (auto done = transact(connection, step); !done)
+            return fail(done.error().code, connection.displayName(),
+                        "it could not be brought to format " + std::to_string(version) + " (" +
+                            migration.purpose + "): " + done.error().why,
+                        done.error().advice);
+    }
+    return {};
+}
+
+Result<void> copyDatabase(const ProjectConnection &connection, const std::filesystem::path &target)
+{
+    const std::string what = "copy '" + target.filename().string() + "'";
+    NewFile file(target, what);
+    if (auto ready = file.prepare(); !ready)
+        return ready;
+    const int code = copyPages(connection.handle(), file.temporary());
+    if (code != SQLITE_OK)
+        return fail(code == SQLITE_READONLY || code == SQLITE_CANTOPEN ? ErrorCode::ReadOnly : ErrorCode::Io,
+                    what, sqlite3_errstr(code), "choose a folder that can be written to and has room");
+    if (auto checked = checkCopy(file.temporary(), what); !checked)
+        return checked;
+    return file.publish();
+}
+
+Result<bool> passesQuickCheck(const ProjectConnection &connection)
+{
+    Statement check(connection, QStringLiteral("PRAGMA quick_check(1)"));
+    const auto row = check.firstRow();
+    if (!row)
+        return tl::unexpected(row.error());
+    return *row && check.text(0) == "ok";
+}
+
+} // namespace odo

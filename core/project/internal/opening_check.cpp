@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/internal/opening_check.h"
+
+#include "core/base/file_system.h"
+#include "core/project/internal/connection.h"
+#include "core/project/internal/migrator.h"
+#include "core/project/internal/schema.h"
+#include "core/project/write_ahead_log.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <set>
+#include <span>
+#include <sqlite3.h>
+#include <string_view>
+#include <vector>
+
+namespace odo {
+
+namespace {
+
+/// Larger files are looked through only by Project::check: reading them at every start would be slow.
+constexpr std::uintmax_t quickCheckBytes = 64 * 1024 * 1024;
+/// More than the fullest file of that size takes; a file may be made so that reading it does not end.
+constexpr std::int64_t mostOpeningSteps = 500'000'000;
+
+using Schema = std::set<std::string>;
+
+/// The schema as SQLite keeps it: one text for each table, index, trigger and view; the first so many of
+/// them.
+Result<Schema> schemaOf(const ProjectConnection &connection, std::size_t most)
+{
+    Schema schema;
+    Statement select(connection, QStringLiteral("SELECT type, name, sql FROM sqlite_master LIMIT ?"));
+    auto read =
+        select.bind(static_cast<std::int64_t>(most)).eachRow([&schema](const Statement &row) -> Result<void> {
+            schema.insert(row.text(0) + ' ' + row.text(1) + ' ' + row.text(2));
+            return {};
+        });
+    if (!read)
+        return tl::unexpected(read.error());
+    return schema;
+}
+
+/// What a project of that version has. Kept, because making it takes longer than to look through a small
+/// project. Any thread.
+Result<Schema> expectedSchema(const Migrator &migrator, int version)
+{
+    static std::mutex mutex;
+    static std::map<int, Schema> known;
+    const std::lock_guard lock(mutex);
+    if (const auto found = known.find(version); found != known.end())
+        return found->second;
+    const auto reference = ProjectConnection::open(":memory:", DatabaseAccess::ReadWrite);
+    if (!reference)
+        return tl::unexpected(reference.error());
+    if (auto made = migrator.create(**reference, version); !made)
+        return tl::unexpected(made.error());
+    auto schema = schemaOf(**reference, std::numeric_limits<std::int64_t>::max());
+    if (schema)
+        known.emplace(version, *schema);
+    return schema;
+}
+
+/// A project may come from anyone: views, triggers or checks in it that are not ours would be a program that
+/// we run.
+Result<void> checkSchema(const ProjectConnection &connection, const Migrator &migrator, int version)
+{
+    const auto expected = expectedSchema(migrator, version);
+    if (!expected)
+        return tl::unexpected(expected.error());
+    const auto found = schemaOf(connection, expected->size() + 1);
+    if (!found)
+        return tl::unexpected(found.error());
+    if (*expected != *found)
+        return fail(ErrorCode::InvalidInput, connection.displayName(),
+                    "its tables are not those of a project", "restore it from a backup copy");
+    return {};
+}
+
+/// Whether the disk gives all of it, whatever it is.
+bool canBeRead(const std::filesystem::path &file)
+{
+    const DatabaseBytes bytes(file);
+    std::vector<std::byte> block(1 << 16);
+    for (std::uintmax_t at = 0; at < bytes.size(); at += block.size()) {
+        if (!bytes.read(block, at))
+            return false;
+    }
+    return bytes.isOpen();
+}
+
+Result<void> quickCheck(const ProjectConnection &connection)
+{
+    std::error_code problem;
+    if (files::sizeOf(connection.file(), problem) > quickCheckBytes)
+        return {};
+    // What the disk fails to give looks like damage to SQLite: so it is asked once more.
+    for (int attempt = 0; attempt < 2; ++attempt) {
+        const auto sound = passesQuickCheck(connection);
+        if (!sound)
+            return tl::unexpected(sound.error());
+        if (*sound)
+            return {};
+        if (!canBeRead(connection.file()))
+            return fail(ErrorCode::Io, connection.displayName(),
+                        "the disk could not be read, and nothing was changed",
+                        "check the disk, and copy the project to another one");
+    }
+    return fail(ErrorCode::InvalidInput, connection.displayName(), "the file is damaged",
+                "restore it from a backup copy");
+}
+
+Result<int> checkSnapshot(const ProjectConnection &connection, const Migrator &migrator)
+{
+    auto version = migrator.knownVersion(connection);
+    if (!version)
+        return version;
+    if (auto ours = checkSchema(connection, migrator, *version); !ours)
+        return tl::unexpected(ours.error());
+    if (auto sound = quickCheck(connection); !sound)
+        return tl::unexpected(sound.error());
+    return version;
+}
+
+} // namespace
+
+Result<int> checkContent(ProjectConnection &connection, const Migrator &migrator)
+{
+    const StepLimit limit(connection, mostOpeningSteps);
+    // In one transaction, for another process may be bringing it up to date.
+    if (auto begun = connection.execute(QStringLiteral("BEGIN")); !begun)
+        return tl::unexpected(begun.error());
+    auto version = checkSnapshot(connection, migrator);
+    static_cast<void>(connection.execute(QStringLiteral("COMMIT"))); // nothing was changed
+    return version;
+}
+
+namespace {
+
+constexpr int stepsBetweenCalls = 10'000;
+
+} // namespace
+
+StepLimit::StepLimit(const ProjectConnection &connection, std::int64_t most)
+    : m_handle(connection.handle()), m_left(most)
+{
+    sqlite3_progress_handler(m_handle, stepsBetweenCalls, &StepLimit::onSteps, this);
+}
+
+StepLimit::~StepLimit()
+{
+    sqlite3_progress_handler(m_handle, 0, nullptr, nullptr);
+}
+
+int StepLimit::onSteps(void *limit)
+{
+    auto &self = *static_cast<StepLimit *>(limit);
+    self.m_left -= stepsBetweenCalls;
+    return self.m_left < 0 ? 1 : 0;
+}
+
+namespace {
+
+// Offsets of the header of an SQLite file: https://www.sqlite.org/fileformat.html, section 1.3.
+constexpr std::string_view sqliteMagic("SQLite format 3\0", 16);
+constexpr std::size_t pageSizeOffset = 16, changeCounterOffset = 24, pageCountOffset = 28,
+                      schemaFormatOffset = 44, userVersionOffset = 60, applicationIdOffset = 68,
+                      countValidForOffset = 92;
+using Header = DatabaseHeader;
+
+bool isOfSqlite(const Header &header)
+{
+    return std::ranges::equal(std::as_bytes(std::span(sqliteMagic)),
+                              std::span(header).first(sqliteMagic.size()));
+}
+
+/// The size that the header promises, or 0 where it does not say.
+std::uintmax_t promisedBytes(const Header &header)
+{
+    if (bigEndian(header, changeCounterOffset) != bigEndian(header, countValidForOffset))
+        return 0;
+    const std::uint32_t coded = bigEndian(header, pageSizeOffset) >> 16; // two bytes
+    const std::uintmax_t pageBytes = coded == 1 ? 65536 : coded;
+    return pageBytes * bigEndian(header, pageCountOffset);
+}
+
+std::string nameOf(const std::filesystem::path &file)
+{
+    return "project '" + file.string() + "'";
+}
+
+tl::unexpected<Error> cutOff(const std::filesystem::path &file, std::uintmax_t bytes, std::uintmax_t promised)
+{
+    return fail(ErrorCode::InvalidInput, nameOf(file),
+                "the file is cut off: it has " + std::to_string(bytes) + " of " + std::to_string(promised) +
+                    " bytes",
+                "copy it again from where it came, or restore a backup copy");
+}
+
+/// Whether a rollback journal ends with the name of another one (https://www.sqlite.org/fileformat.html,
+/// section 3), which SQLite would remove after rolling back, whatever file it is. It belongs to changes of
+/// several databases, which we never make.
+bool namesAnotherFile(const std::filesystem::path &journal)
+{
+    constexpr std::string_view mark("\xd9\xd5\x05\xf9\x20\xa1\x63\xd7", 8);
+    std::ifstream input(journal, std::ios::binary);
+    std::string end(mark.size(), '\0');
+    input.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
+    return input.read(end.data(), static_cast<std::streamsize>(end.size())) && end == mark;
+}
+
+/// Whether what lies beside a project leads to another file, which SQLite would then write to or remove.
+bool leadsElsewhere(const std::filesystem::path &file)
+{
+    std::error_code problem;
+    std::filesystem::path real = files::realPath(file, problem); // SQLite looks beside that one
+    if (problem)
+        real = file;
+    if (std::ranges::any_of(sideFileSuffixes, [&](const char *side) {
+            return files::kindOfItself(besideFile(real, side)) == files::Kind::Link;
+        }))
+        return true;
+    const std::filesystem::path journal = besideFile(real, journalSuffix);
+    return files::isFile(journal) && namesAnotherFile(journal);
+}
+
+} // namespace
+
+bool isProjectFile(const std::filesystem::path &file)
+{
+    if (!files::isFile(file))
+        return false;
+    const DatabaseBytes bytes(file);
+    Header header{};
+    return bytes.read(header, 0) && isOfSqlite(header) &&
+           bigEndian(header, applicationIdOffset) == projectApplicationId;
+}
+
+Result<void> checkIsFile(const std::filesystem::path &file)
+{
+    std::error_code problem;
+    const files::Kind kind = files::kindOf(file, problem);
+    if (problem)
+        return fail(ErrorCode::Io, nameOf(file), "it cannot be looked at (" + problem.message() + ")",
+                    "check that you may read the file");
+    if (kind == files::Kind::Missing)
+        return fail(ErrorCode::NotFound, nameOf(file), "there is no such file",
+                    "check the name, or make a new project");
+    if (const char *reason = files::insteadOfFile(kind))
+        return fail(ErrorCode::InvalidInput, nameOf(file), reason, "choose a file that Odograph has written");
+    return {};
+}
+
+Result<void> checkFileHeader(const std::filesystem::path &file, int newestVersion)
+{
+    if (auto isFile = checkIsFile(file); !isFile)
+        return isFile;
+    const std::string what = nameOf(file);
+    const DatabaseBytes bytes(file);
+    Header header{};
+    if (!bytes.read(header, 0))
+        return fail(ErrorCode::Io, what, "it cannot be read", "check that you may read the file");
+    if (bytes.size() == 0)
+        return fail(ErrorCode::InvalidInput, what, "the file is empty", "restore it from a backup copy");
+    if (!isOfSqlite(header))
+        return fail(ErrorCode::InvalidInput, what, "it is not a project file",
+                    "choose a file that Odograph has written");
+    if (bytes.size() < header.size())
+        return cutOff(file, bytes.size(), header.size());
+    if (bigEndian(header, applicationIdOffset) != projectApplicationId)
+        return fail(ErrorCode::InvalidInput, what, "it is a database of another program",
+                    "choose a file that Odograph has written");
+    // SQLite's own; it would only say that it is not supported
+    constexpr std::uint32_t newestSchemaFormat = 4;
+    if (bigEndian(header, schemaFormatOffset) > newestSchemaFormat)
+        return fail(ErrorCode::InvalidInput, what, "the file is damaged", "restore it from a backup copy");
+    const auto version = static_cast<std::int32_t>(bigEndian(header, userVersionOffset));
+    if (version > newestVersion)
+        return fail(ErrorCode::NewerFormat, what,
+                    "it was written by a newer Odograph (format " + std::to_string(version) +
+                        ", this one knows formats up to " + std::to_string(newestVersion) + ")",
+                    "open it with that Odograph, or update this one");
+    if (leadsElsewhere(file))
+        return fail(ErrorCode::InvalidInput, what, "the journal beside it names another file",
+                    "copy it again from where it came, or restore a backup copy");
+    // While a write-ahead log lies beside it, the file itself may lag behind. Asked before the size: whoever
+    // empties the log has written all of it into the file before.
+    if (!hasLog(file) && bytes.size() < promisedBytes(header))
+        return cutOff(file, bytes.size(), promisedBytes(header));
+    return {};
+}
+
+} // namespace odo

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/internal/connection.h"
+#include "core/project/internal/stored_words.h"
+#include "core/project/names.h"
+#include "core/project/repositories.h"
+
+#include <algorithm>
+
+namespace odo {
+
+namespace {
+
+const QString robotColumns =
+    QStringLiteral("SELECT id, name, colour, height_mode, height_m, length_m, width_m, drawing_colour, "
+                   "reference_forward_m, reference_left_m FROM robot ");
+
+std::optional<double> sizeOf(const Statement &row, int column)
+{
+    const auto size = row.optionalReal(column);
+    return size ? std::optional(std::clamp(*size, 0.0, double(largestRobotM))) : size;
+}
+
+/// As it is stored: nothing for a robot of any look.
+std::string storedColour(const RobotRecord &robot)
+{
+    return robot.colour ? robot.colour->toString() : std::string();
+}
+
+Result<std::optional<RgbColour>> colourOf(const std::string &stored)
+{
+    if (stored.empty())
+        return std::nullopt;
+    return parseColour(stored);
+}
+
+Result<RobotRecord> robotOf(const Statement &row)
+{
+    RobotRecord robot;
+    robot.id = row.integer(0);
+    robot.name = row.name(1);
+    const auto colour = colourOf(row.text(2));
+    if (!colour)
+        return tl::unexpected(colour.error());
+    const auto mode = fromStoredWord(heightModeWords, row.text(3), "robot '" + robot.name + "'");
+    if (!mode)
+        return tl::unexpected(mode.error());
+    robot.colour = *colour;
+    robot.heightMode = *mode;
+    robot.heightM = sizeOf(row, 4);
+    robot.lengthM = sizeOf(row, 5);
+    robot.widthM = sizeOf(row, 6);
+    const auto drawing = fromStoredWord(drawingColourWords, row.text(7), "robot '" + robot.name + "'");
+    if (!drawing)
+        return tl::unexpected(drawing.error());
+    robot.drawingColour = *drawing;
+    robot.referenceM = {row.real(8), row.real(9)};
+    return robot;
+}
+
+RobotRecord withNormalName(RobotRecord robot)
+{
+    robot.name = normalName(robot.name);
+    return robot;
+}
+
+Result<void> checkRobot(const RobotRecord &robot)
+{
+    if (auto valid = checkName("robot", robot.name); !valid)
+        return valid;
+    const auto refuse = [&robot](const std::string &why, const std::string &advice) {
+        return fail(ErrorCode::InvalidInput, "robot '" + robot.name + "'", why, advice);
+    };
+    if (robot.heightMode == RobotRecord::Height::Told && !robot.heightM)
+        return refuse("its height is to be told, but none is given", "give a height, or let it be estimated");
+    if (robot.heightM && !(*robot.heightM >= 0))
+        return refuse("its height is below the floor", "give a height of 0 or more");
+    for (const auto &size : {robot.lengthM, robot.widthM}) {
+        if (size && !(*size > 0))
+            return refuse("its size is not above 0", "give length and width in millimetres, like 260x190");
+    }
+    for (const auto &size : {robot.heightM, robot.lengthM, robot.widthM}) {
+        if (size && *size > largestRobotM)
+            return refuse("it is larger than " + std::to_string(largestRobotM) + " m", "check the numbers");
+    }
+    if (!(robot.referenceM.cwiseAbs().maxCoeff() <= largestRobotM))
+        return refuse("its reference point is farther from its centre than " + std::to_string(largestRobotM) +
+                          " m",
+                      "check the numbers");
+    if (!robot.referenceM.isZero() && robot.heightMode == RobotRecord::Height::Free)
+        return refuse("a reference point beside its centre takes a heading, which is not known where the "
+                      "height changes",
+                      "leave out one of the two");
+    return {};
+}
+
+} // namespace
+
+RobotRepository::RobotRepository(ProjectConnection &connection) : m_connection(connection) {}
+
+Result<RobotRecord> RobotRepository::add(const RobotRecord &given)
+{
+    const RobotRecord robot = withNormalName(given);
+    return transact(m_connection, [&]() -> Result<RobotRecord> {
+        if (auto valid = checkRobot(robot); !valid)
+            return tl::unexpected(valid.error());
+        if (auto isFree = checkNameIsFree(m_connection, "robot", "robot", robot.name); !isFree)
+            return tl::unexpected(isFree.error());
+        Statement insert(m_connection,
+                         QStringLiteral("INSERT INTO robot (name, colour, height_mode, height_m, "
+                                        "length_m, width_m, drawing_colour, reference_forward_m, "
+                                        "reference_left_m) VALUES (?,?,?,?,?,?,?,?,?)"));
+        insert.bind(robot.name).bind(storedColour(robot)).bind(storedWord(heightModeWords, robot.heightMode));
+        insert.bind(robot.heightM).bind(robot.lengthM).bind(robot.widthM);
+        insert.bind(storedWord(drawingColourWords, robot.drawingColour));
+        if (auto done = insert.bind(robot.referenceM.x()).bind(robot.referenceM.y()).run(); !done)
+            return tl::unexpected(done.error());
+        RobotRecord stored = robot;
+        stored.id = insert.insertedId();
+        return stored;
+    });
+}
+
+Result<std::vector<RobotRecord>> RobotRepository::all() const
+{
+    std::vector<RobotRecord> robots;
+    Statement select(m_connection, robotColumns + QStringLiteral("ORDER BY id"));
+    auto read = select.eachRow([&robots](const Statement &row) -> Result<void> {
+        auto robot = robotOf(row);
+        if (!robot)
+            return tl::unexpected(robot.error());
+        robots.push_back(std::move(*robot));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return robots;
+}
+
+Result<RobotRecord> RobotRepository::find(const std::string &name) const
+{
+    const auto id = idNamed(m_connection, "robot", name);
+    if (!id)
+        return tl::unexpected(id.error());
+    if (*id == 0)
+        return noSuchName(m_connection, "robot", "robot", name);
+    return get(*id);
+}
+
+Result<RobotRecord> RobotRepository::get(RecordId id) const
+{
+    Statement select(m_connection, robotColumns + QStringLiteral("WHERE id=?"));
+    const auto found = select.bind(id).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found)
+        return noSuchId(m_connection, "robot", id);
+    return robotOf(select);
+}
+
+Result<void> RobotRepository::set(const RobotRecord &given)
+{
+    const RobotRecord robot = withNormalName(given);
+    return transact(m_connection, [&]() -> Result<void> {
+        const auto known = get(robot.id);
+        if (!known)
+            return tl::unexpected(known.error());
+        if (auto valid = checkRobot(robot); !valid)
+            return valid;
+        if (known->name != robot.name)
+            if (auto isFree = checkNameIsFree(m_connection, "robot", "robot", robot.name); !isFree)
+                return isFree;
+        Statement update(m_connection,
+                         QStringLiteral("UPDATE robot SET name=?, colour=?, height_mode=?, height_m=?, "
+                                        "length_m=?, width_m=?, drawing_colour=?, reference_forward_m=?, "
+                                        "reference_left_m=? WHERE id=?"));
+        update.bind(robot.name).bind(storedColour(robot)).bind(storedWord(heightModeWords, robot.heightMode));
+        update.bind(robot.heightM).bind(robot.lengthM).bind(robot.widthM);
+        update.bind(storedWord(drawingColourWords, robot.drawingColour));
+        return update.bind(robot.referenceM.x()).bind(robot.referenceM.y()).bind(robot.id).run();
+    });
+}
+
+Result<void> RobotRepository::remove(RecordId robot)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        const auto known = get(robot);
+        if (!known)
+            return tl::unexpected(known.error());
+        Statement used(m_connection, QStringLiteral("SELECT 1 FROM trial_robot WHERE robot_id=? UNION "
+                                                    "SELECT 1 FROM analysis WHERE robot_id=? UNION "
+                                                    "SELECT 1 FROM observation_series WHERE robot_id=? UNION "
+                                                    "SELECT 1 FROM imported_track WHERE robot_id=?"));
+        const auto isUsed = used.bind(robot).bind(robot).bind(robot).bind(robot).firstRow();
+        if (!isUsed)
+            return tl::unexpected(isUsed.error());
+        if (*isUsed)
+            return fail(ErrorCode::InvalidInput, "robot '" + known->name + "'", "it drove in a trial",
+                        "keep it; it can be given another name");
+        if (auto left = runFor(m_connection, "DELETE FROM team_robot WHERE robot_id=?", robot); !left)
+            return left;
+        return runFor(m_connection, "DELETE FROM robot WHERE id=?", robot);
+    });
+}
+
+} // namespace odo

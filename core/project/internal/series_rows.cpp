@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/internal/series_rows.h"
+
+#include "core/project/internal/connection.h"
+#include "core/project/internal/series_blobs.h"
+#include "core/project/names.h"
+#include "core/project/repositories.h"
+#include "core/trajectory/imported_track.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+namespace odo {
+
+// The observations, the imported tracks, the overrules and the truth of TrialRepository.
+
+Result<void> TrialRepository::addObservations(const ObservationSeries &series)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        Statement insert(m_connection,
+                         QStringLiteral("INSERT INTO observation_series (recording_id, robot_id, "
+                                        "algorithm) VALUES (?,?,?)"));
+        if (auto done = insert.bind(series.recording).bind(series.robot).bind(series.algorithm).run(); !done)
+            return done;
+        const RecordId id = insert.insertedId();
+        const std::span<const Observation> all(series.observations);
+        for (std::size_t start = 0; start < all.size(); start += rowsPerChunk) {
+            const auto chunk = all.subspan(start, std::min(rowsPerChunk, all.size() - start));
+            Statement row(m_connection, QStringLiteral("INSERT INTO observation_chunk VALUES (?,?,?)"));
+            row.bind(id).bind(static_cast<std::int64_t>(start / rowsPerChunk)).bind(packObservations(chunk));
+            if (auto done = row.run(); !done)
+                return done;
+        }
+        return {};
+    });
+}
+
+Result<std::optional<ObservationSeries>> TrialRepository::currentObservations(RecordId recording,
+                                                                              RecordId robot) const
+{
+    Statement select(m_connection,
+                     QStringLiteral("SELECT id, algorithm FROM observation_series "
+                                    "WHERE recording_id=? AND robot_id=? ORDER BY id DESC LIMIT 1"));
+    const auto found = select.bind(recording).bind(robot).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found)
+        return std::nullopt;
+    const RecordId id = select.integer(0);
+    ObservationSeries series{recording, robot, select.text(1), {}};
+    Statement chunks(
+        m_connection,
+        QStringLiteral("SELECT observations FROM observation_chunk WHERE series_id=? ORDER BY position"));
+    auto read = chunks.bind(id).eachRow([&](const Statement &row) -> Result<void> {
+        return unpackObservations(row.blob(0), "observations " + std::to_string(id) + " of the project",
+                                  series.observations);
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return std::optional(std::move(series));
+}
+
+Result<void> TrialRepository::setOverrules(RecordId trial, RecordId robot,
+                                           const std::vector<Overrule> &overrules)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        Statement remove(m_connection,
+                         QStringLiteral("DELETE FROM overrule WHERE trial_id=? AND robot_id=?"));
+        if (auto done = remove.bind(trial).bind(robot).run(); !done)
+            return done;
+        for (const Overrule &overrule : overrules) {
+            Statement insert(m_connection, QStringLiteral("INSERT INTO overrule VALUES (?,?,?,?)"));
+            insert.bind(trial).bind(robot).bind(overrule.frame).bind(overrule.isSpike ? 1 : 0);
+            if (auto done = insert.run(); !done)
+                return done;
+        }
+        return {};
+    });
+}
+
+Result<std::vector<Overrule>> TrialRepository::overrules(RecordId trial, RecordId robot) const
+{
+    std::vector<Overrule> overrules;
+    Statement select(m_connection, QStringLiteral("SELECT frame, is_spike FROM overrule WHERE trial_id=? AND "
+                                                  "robot_id=? ORDER BY frame"));
+    auto read = select.bind(trial).bind(robot).eachRow([&](const Statement &row) -> Result<void> {
+        overrules.push_back({row.integer(0), row.integer(1) != 0});
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return overrules;
+}
+
+Result<void> TrialRepository::setPointedOut(RecordId trial, const std::vector<PointedOutRobot> &robots)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        Statement remove(m_connection, QStringLiteral("DELETE FROM pointed_out_robot WHERE recording_id IN "
+                                                      "(SELECT id FROM recording WHERE trial_id=?)"));
+        if (auto done = remove.bind(trial).run(); !done)
+            return done;
+        for (const PointedOutRobot &one : robots) {
+            Statement insert(m_connection,
+                             QStringLiteral("INSERT INTO pointed_out_robot VALUES (?,?,?,?,?)"));
+            insert.bind(one.recording)
+                .bind(one.robot)
+                .bind(one.frame)
+                .bind(one.pixel.x())
+                .bind(one.pixel.y());
+            if (auto done = insert.run(); !done)
+                return done;
+        }
+        return {};
+    });
+}
+
+Result<std::vector<PointedOutRobot>> TrialRepository::pointedOut(RecordId trial) const
+{
+    std::vector<PointedOutRobot> robots;
+    Statement select(
+        m_connection,
+        QStringLiteral(
+            "SELECT robot_id, recording_id, frame, x_px, y_px FROM pointed_out_robot JOIN recording ON "
+            "recording.id = recording_id WHERE trial_id=? ORDER BY recording_id, robot_id"));
+    auto read = select.bind(trial).eachRow([&](const Statement &row) -> Result<void> {
+        robots.push_back({row.integer(0), row.integer(1), row.integer(2), {row.real(3), row.real(4)}});
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return robots;
+}
+
+namespace {
+
+tl::unexpected<Error> refusedTrack(const ImportedTrack &track, const std::string &why)
+{
+    return fail(ErrorCode::InvalidInput, "track '" + track.file + "'", why, "import another file");
+}
+
+/// before: the time of the sample before them.
+Result<void> checkSamples(const ImportedTrack &track, const std::vector<Sample> &samples,
+                          std::optional<Nanoseconds> before)
+{
+    for (const Sample &sample : samples) {
+        if (before && sample.time <= *before)
+            return refusedTrack(track, "its times do not rise");
+        before = sample.time;
+        if ((sample.position && !sample.position->allFinite()) || !sample.covariance.allFinite() ||
+            !sample.commonCovariance.allFinite())
+            return refusedTrack(track, "a position or its covariance is no number");
+    }
+    return {};
+}
+
+Result<void> addTrackChunks(ProjectConnection &connection, RecordId id, const ImportedTrack &track,
+                            const SampleSource &samples)
+{
+    std::optional<Nanoseconds> before;
+    for (std::size_t start = 0; start < samples.count; start += rowsPerChunk) {
+        const auto chunk = samples.chunk(start, std::min(rowsPerChunk, samples.count - start));
+        if (!chunk)
+            return tl::unexpected(chunk.error());
+        if (auto valid = checkSamples(track, *chunk, before); !valid)
+            return valid;
+        before = chunk->back().time;
+        Statement insert(connection, QStringLiteral("INSERT INTO imported_track_chunk VALUES (?,?,?)"));
+        insert.bind(id).bind(static_cast<std::int64_t>(start / rowsPerChunk));
+        if (auto done = insert.bind(packSamples(*chunk)).run(); !done)
+            return done;
+    }
+    return {};
+}
+
+} // namespace
+
+Result<void> TrialRepository::addImportedTrack(const ImportedTrack &track, const SampleSource &samples)
+{
+    const SampleSource source = samples.chunk ? samples : sourceOf(track.samples);
+    if (source.count == 0)
+        return refusedTrack(track, "it has no samples");
+    if (source.count > maxBlobRows)
+        return refusedTrack(track, "it has more than " + std::to_string(maxBlobRows) + " samples");
+    return transact(m_connection, [&]() -> Result<void> {
+        if (auto valid = checkName("track", track.file); !valid)
+            return valid;
+        if (auto valid = checkText("reading of a track", track.reading); !valid)
+            return valid;
+        Statement insert(
+            m_connection,
+            QStringLiteral(
+                "INSERT INTO imported_track (trial_id, robot_id, imported_ms, file, sha256, bytes, "
+                "format, reading) VALUES (?,?,?,?,?,?,?,?)"));
+        insert.bind(track.trial).bind(track.robot);
+        insert.bind(static_cast<std::int64_t>(track.imported.time_since_epoch().count()))
+            .bind(track.file)
+            .bind(track.sha256);
+        if (auto done = insert.bind(track.bytes).bind(track.format).bind(track.reading).run(); !done)
+            return done;
+        return addTrackChunks(m_connection, insert.insertedId(), track, source);
+    });
+}
+
+namespace {
+
+/// Its id and all but the samples.
+Result<std::optional<std::pair<RecordId, ImportedTrack>>> newestTrack(const ProjectConnection &connection,
+                                                                      RecordId trial, RecordId robot)
+{
+    Statement select(
+        connection,
+        QStringLiteral("SELECT id, imported_ms, file, sha256, bytes, format, reading FROM imported_track "
+                       "WHERE trial_id=? AND robot_id=? ORDER BY id DESC LIMIT 1"));
+    const auto found = select.bind(trial).bind(robot).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found)
+        return std::nullopt;
+    ImportedTrack track{trial,          robot,          Instant(std::chrono::milliseconds(select.integer(1))),
+                        select.text(2), select.text(3), select.integer(4),
+                        select.text(5), select.text(6), {}};
+    return std::pair(select.integer(0), std::move(track));
+}
+
+} // namespace
+
+Result<std::optional<ImportedTrack>> TrialRepository::currentImportedTrack(RecordId trial, RecordId robot,
+                                                                           bool withSamples) const
+{
+    auto newest = newestTrack(m_connection, trial, robot);
+    if (!newest)
+        return tl::unexpected(newest.error());
+    if (!*newest)
+        return std::nullopt;
+    const RecordId id = (*newest)->first;
+    ImportedTrack &track = (*newest)->second;
+    NoiseLevel noise;
+    std::size_t count = 0;
+    Statement chunks(
+        m_connection,
+        QStringLiteral("SELECT samples FROM imported_track_chunk WHERE track_id=? ORDER BY position"));
+    auto read = chunks.bind(id).eachRow([&](const Statement &row) -> Result<void> {
+        std::vector<Sample> chunk;
+        if (auto unpacked = unpackSamples(row.blob(0), "track '" + track.file + "'", chunk); !unpacked)
+            return unpacked;
+        count += chunk.size();
+        if (count > maxBlobRows)
+            return refusedTrack(track, "it has more than " + std::to_string(maxBlobRows) + " samples");
+        noise.add(chunk);
+        if (withSamples)
+            track.samples.insert(track.samples.end(), chunk.begin(), chunk.end());
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    track.noiseM = noise.sigmaM();
+    return std::optional(std::move(track));
+}
+
+Result<void> TrialRepository::setTruth(const TruthSeries &truth)
+{
+    const std::size_t count = truth.times.size();
+    for (const auto *series : {&truth.positions, &truth.velocities, &truth.accelerations}) {
+        if (series->size() != count)
+            return fail(ErrorCode::InvalidInput, "truth of a trial", "its series differ in length",
+                        "give position, velocity and acceleration for each time");
+    }
+    return transact(m_connection, [&]() -> Result<void> {
+        Statement remove(m_connection, QStringLiteral("DELETE FROM truth WHERE trial_id=? AND robot_id=?"));
+        if (auto done = remove.bind(truth.trial).bind(truth.robot).run(); !done)
+            return done;
+        Statement insert(m_connection, QStringLiteral("INSERT INTO truth VALUES (?,?,?)"));
+        return insert.bind(truth.trial).bind(truth.robot).bind(packTruth(truth)).run();
+    });
+}
+
+Result<std::optional<TruthSeries>> TrialRepository::truth(RecordId trial, RecordId robot) const
+{
+    Statement select(m_connection,
+                     QStringLiteral("SELECT series FROM truth WHERE trial_id=? AND robot_id=?"));
+    const auto found = select.bind(trial).bind(robot).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found)
+        return std::nullopt;
+    TruthSeries truth;
+    truth.trial = trial;
+    truth.robot = robot;
+    if (auto read = unpackTruth(select.blob(0), "truth of trial " + std::to_string(trial), truth); !read)
+        return tl::unexpected(read.error());
+    return std::optional(std::move(truth));
+}
+
+Result<void> addDoubtfulNames(ProjectConnection &connection, RecordId analysis,
+                              const std::vector<DoubtfulName> &doubts)
+{
+    for (std::size_t i = 0; i < doubts.size(); ++i) {
+        const DoubtfulName &doubt = doubts[i];
+        const auto position = static_cast<std::int64_t>(i);
+        Statement insert(connection, QStringLiteral("INSERT INTO doubtful_name VALUES (?,?,?,?)"));
+        insert.bind(analysis).bind(position).bind(static_cast<std::int64_t>(doubt.from.count()));
+        if (auto done = insert.bind(static_cast<std::int64_t>(doubt.to.count())).run(); !done)
+            return done;
+        for (const RecordId other : doubt.others) {
+            Statement insertOther(connection,
+                                  QStringLiteral("INSERT INTO doubtful_name_robot VALUES (?,?,?)"));
+            if (auto done = insertOther.bind(analysis).bind(position).bind(other).run(); !done)
+                return done;
+        }
+    }
+    return {};
+}
+
+Result<std::vector<DoubtfulName>> readDoubtfulNames(const ProjectConnection &connection, RecordId analysis)
+{
+    std::vector<DoubtfulName> doubts;
+    std::optional<std::int64_t> last;
+    Statement select(
+        connection,
+        QStringLiteral(
+            "SELECT doubtful_name.position, from_ns, to_ns, robot_id, robot.name FROM doubtful_name "
+            "LEFT JOIN doubtful_name_robot USING (analysis_id, position) "
+            "LEFT JOIN robot ON robot.id=robot_id WHERE analysis_id=? "
+            "ORDER BY doubtful_name.position, robot_id"));
+    auto read = select.bind(analysis).eachRow([&](const Statement &row) -> Result<void> {
+        if (last != row.integer(0)) {
+            // so that times can be subtracted
+            constexpr std::int64_t latest = std::numeric_limits<std::int64_t>::max() / 2;
+            const Nanoseconds from(std::clamp<std::int64_t>(row.integer(1), 0, latest)),
+                to(std::clamp<std::int64_t>(row.integer(2), 0, latest));
+            doubts.push_back({std::min(from, to), std::max(from, to), {}, {}});
+        }
+        last = row.integer(0);
+        if (row.integer(3) != 0) {
+            doubts.back().others.push_back(row.integer(3));
+            doubts.back().otherNames.push_back(row.name(4));
+        }
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return doubts;
+}
+
+} // namespace odo

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/project/records.h"
+
+#include <vector>
+
+namespace odo {
+
+struct ProjectConnection;
+
+/// Stores when it could not be told which robot an analysis is of, and reads it again in the same order. On
+/// the connection's thread. Errors: those of the database; a robot that is not there.
+Result<void> addDoubtfulNames(ProjectConnection &connection, RecordId analysis,
+                              const std::vector<DoubtfulName> &doubts);
+Result<std::vector<DoubtfulName>> readDoubtfulNames(const ProjectConnection &connection, RecordId analysis);
+
+} // namespace odo

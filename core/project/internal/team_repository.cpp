@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/internal/connection.h"
+#include "core/project/names.h"
+#include "core/project/repositories.h"
+
+#include <set>
+#include <unordered_map>
+
+namespace odo {
+
+namespace {
+
+constexpr std::size_t mostMembers = 200;
+
+const QString teamColumns = QStringLiteral("SELECT team.id, team.name, class.name, pseudonym FROM team "
+                                           "LEFT JOIN class ON class.id=team.class_id ");
+
+/// The teams that a condition with one parameter means, or all, with their members and robots: three queries,
+/// however many teams.
+Result<std::vector<TeamRecord>> readTeams(const ProjectConnection &connection, const char *condition,
+                                          const RecordId *id)
+{
+    std::vector<TeamRecord> teams;
+    std::unordered_map<RecordId, std::size_t> placeOf;
+    const auto read = [&](const QString &sql, const char *order, const auto &take) {
+        Statement select(connection, sql + QLatin1String(condition) + QLatin1String(order));
+        if (id)
+            select.bind(*id);
+        return select.eachRow([&take](const Statement &row) -> Result<void> {
+            take(row);
+            return {};
+        });
+    };
+    const auto teamOf = [&](const Statement &row) -> TeamRecord * {
+        const auto place = placeOf.find(row.integer(0));
+        return place == placeOf.end() ? nullptr : &teams[place->second];
+    };
+    auto done = read(teamColumns, " ORDER BY team.id", [&](const Statement &row) {
+        placeOf.emplace(row.integer(0), teams.size());
+        teams.push_back({row.integer(0), row.name(1), row.name(2), row.name(3)});
+    });
+    if (done)
+        done = read(
+            QStringLiteral("SELECT team.id, team_member.name FROM team JOIN team_member ON team_id=team.id "),
+            " ORDER BY team.id, position", [&](const Statement &row) {
+                if (TeamRecord *team = teamOf(row); team && team->members.size() < mostMembers)
+                    team->members.push_back(row.name(1));
+            });
+    if (done)
+        done = read(QStringLiteral("SELECT team.id, robot_id FROM team JOIN team_robot ON team_id=team.id "),
+                    " ORDER BY team.id, position", [&](const Statement &row) {
+                        if (TeamRecord *team = teamOf(row))
+                            team->robots.push_back(row.integer(1));
+                    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return teams;
+}
+
+TeamRecord withNormalNames(TeamRecord team)
+{
+    team.name = normalName(team.name);
+    team.pseudonym = normalName(team.pseudonym);
+    for (std::string &member : team.members)
+        member = normalName(member);
+    return team;
+}
+
+Result<void> checkTeam(const TeamRecord &team)
+{
+    if (auto valid = checkName("team", team.name); !valid)
+        return valid;
+    const std::string what = "team '" + team.name + "'";
+    if (team.members.size() > mostMembers)
+        return fail(ErrorCode::InvalidInput, what,
+                    "it has more than " + std::to_string(mostMembers) + " members",
+                    "give the names of the people in the team");
+    for (const std::string &member : team.members)
+        if (auto valid = checkName("member", member); !valid)
+            return valid;
+    if (std::set(team.robots.begin(), team.robots.end()).size() != team.robots.size())
+        return fail(ErrorCode::InvalidInput, what, "a robot belongs to it twice",
+                    "name each of its robots once");
+    return team.pseudonym.empty() ? Result<void>() : checkName("pseudonym", team.pseudonym);
+}
+
+Result<void> removeLists(ProjectConnection &connection, RecordId team)
+{
+    if (auto gone = runFor(connection, "DELETE FROM team_member WHERE team_id=?", team); !gone)
+        return gone;
+    return runFor(connection, "DELETE FROM team_robot WHERE team_id=?", team);
+}
+
+/// Replaces members and robots.
+Result<void> setLists(ProjectConnection &connection, RecordId id, const TeamRecord &team)
+{
+    if (auto gone = removeLists(connection, id); !gone)
+        return gone;
+    for (std::size_t i = 0; i < team.members.size(); ++i) {
+        Statement insert(connection, QStringLiteral("INSERT INTO team_member VALUES (?,?,?)"));
+        if (auto done = insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(team.members[i]).run(); !done)
+            return done;
+    }
+    for (std::size_t i = 0; i < team.robots.size(); ++i) {
+        Statement known(connection, QStringLiteral("SELECT 1 FROM robot WHERE id=?"));
+        const auto found = known.bind(team.robots[i]).firstRow();
+        if (!found || !*found)
+            return found ? noSuchId(connection, "robot", team.robots[i]) : tl::unexpected(found.error());
+        Statement insert(connection, QStringLiteral("INSERT INTO team_robot VALUES (?,?,?)"));
+        if (auto done = insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(team.robots[i]).run(); !done)
+            return done;
+    }
+    return {};
+}
+
+} // namespace
+
+TeamRepository::TeamRepository(ProjectConnection &connection) : m_connection(connection) {}
+
+Result<TeamRecord> TeamRepository::add(const TeamRecord &given)
+{
+    const TeamRecord team = withNormalNames(given);
+    return transact(m_connection, [&]() -> Result<TeamRecord> {
+        if (auto valid = checkTeam(team); !valid)
+            return tl::unexpected(valid.error());
+        if (auto isFree = checkNameIsFree(m_connection, "team", "team", team.name); !isFree)
+            return tl::unexpected(isFree.error());
+        const auto classId = idOfName(m_connection, "class", team.className);
+        if (!classId)
+            return tl::unexpected(classId.error());
+        Statement insert(m_connection,
+                         QStringLiteral("INSERT INTO team (name, class_id, pseudonym) VALUES (?,?,?)"));
+        if (auto done = insert.bind(team.name).bindReference(*classId).bind(team.pseudonym).run(); !done)
+            return tl::unexpected(done.error());
+        TeamRecord stored = team;
+        stored.id = insert.insertedId();
+        if (auto lists = setLists(m_connection, stored.id, team); !lists)
+            return tl::unexpected(lists.error());
+        return stored;
+    });
+}
+
+Result<std::vector<TeamRecord>> TeamRepository::all() const
+{
+    return readTeams(m_connection, "", nullptr);
+}
+
+Result<TeamRecord> TeamRepository::find(const std::string &name) const
+{
+    const auto id = idNamed(m_connection, "team", name);
+    if (!id)
+        return tl::unexpected(id.error());
+    if (*id == 0)
+        return noSuchName(m_connection, "team", "team", name);
+    return readTeams(m_connection, "WHERE team.id=?", &*id).map([](auto &&teams) {
+        return std::move(teams.front());
+    });
+}
+
+Result<void> TeamRepository::set(const TeamRecord &given)
+{
+    const TeamRecord team = withNormalNames(given);
+    return transact(m_connection, [&]() -> Result<void> {
+        if (auto valid = checkTeam(team); !valid)
+            return valid;
+        Statement known(m_connection, QStringLiteral("SELECT name FROM team WHERE id=?"));
+        const auto found = known.bind(team.id).firstRow();
+        if (!found || !*found)
+            return found ? noSuchId(m_connection, "team", team.id) : tl::unexpected(found.error());
+        if (known.name(0) != team.name)
+            if (auto isFree = checkNameIsFree(m_connection, "team", "team", team.name); !isFree)
+                return isFree;
+        const auto classId = idOfName(m_connection, "class", team.className);
+        if (!classId)
+            return tl::unexpected(classId.error());
+        Statement update(m_connection,
+                         QStringLiteral("UPDATE team SET name=?, class_id=?, pseudonym=? WHERE id=?"));
+        if (auto done =
+                update.bind(team.name).bindReference(*classId).bind(team.pseudonym).bind(team.id).run();
+            !done)
+            return done;
+        return setLists(m_connection, team.id, team);
+    });
+}
+
+Result<void> TeamRepository::remove(RecordId team)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        Statement known(
+            m_connection,
+            QStringLiteral(
+                "SELECT name, (SELECT COUNT(*) FROM trial WHERE team_id=team.id) FROM team WHERE id=?"));
+        const auto found = known.bind(team).firstRow();
+        if (!found || !*found)
+            return found ? noSuchId(m_connection, "team", team) : tl::unexpected(found.error());
+        const int trials = known.smallInteger(1);
+        if (trials > 0)
+            return fail(ErrorCode::InvalidInput, "team '" + known.name(0) + "'",
+                        trials == 1 ? "a trial is its" : std::to_string(trials) + " trials are its",
+                        "delete them for good first, or archive its class");
+        if (auto gone = removeLists(m_connection, team); !gone)
+            return gone;
+        return runFor(m_connection, "DELETE FROM team WHERE id=?", team);
+    });
+}
+
+Result<std::vector<std::string>> TeamRepository::classes() const
+{
+    return textsOf(m_connection, QStringLiteral("SELECT name FROM class ORDER BY name"));
+}
+
+} // namespace odo

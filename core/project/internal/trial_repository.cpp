@@ -1,0 +1,496 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/error.h"
+#include "core/project/internal/connection.h"
+#include "core/project/names.h"
+#include "core/project/recording_rows.h"
+#include "core/project/records.h"
+#include "core/project/repositories.h"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <unordered_map>
+
+namespace odo {
+
+namespace {
+
+const QString trialColumns = QStringLiteral(
+    "SELECT trial.id, trial.name, trial.team_id, team.name, class.name, task.name, date_ms, notes, "
+    "sync_method, "
+    "sync_offset_s, sync_offset_sigma_s, sync_score, duration_s, sync_rate, sync_rate_sigma, "
+    "(SELECT COUNT(*) FROM recording WHERE recording.trial_id=trial.id), trial.state, starred, "
+    "trial.archived_ms, binned_ms, team.pseudonym "
+    "FROM trial LEFT JOIN team ON team.id=trial.team_id LEFT JOIN class ON class.id=team.class_id "
+    "LEFT JOIN task ON task.id=trial.task_id ");
+
+std::optional<Instant> instantOf(const Statement &row, int column)
+{
+    if (!row.optionalReal(column))
+        return std::nullopt;
+    return Instant(std::chrono::milliseconds(row.integer(column)));
+}
+
+TrialRecord trialOf(const Statement &row)
+{
+    TrialRecord trial;
+    trial.id = row.integer(0);
+    trial.name = row.name(1);
+    trial.team = row.integer(2);
+    trial.teamName = row.name(3);
+    trial.className = row.name(4);
+    trial.task = row.name(5);
+    trial.date = Instant(std::chrono::milliseconds(row.integer(6)));
+    trial.notes = row.text(7);
+    trial.syncMethod = row.text(8);
+    trial.syncOffsetS = row.real(9);
+    trial.syncOffsetSigmaS = row.real(10);
+    trial.syncScore = row.real(11);
+    trial.durationS = row.real(12);
+    trial.syncRate = row.real(13);
+    trial.syncRateSigma = row.real(14);
+    trial.viewCount = std::min(row.smallInteger(15), static_cast<int>(mostViews));
+    trial.unfinished = row.text(16) == "recording";
+    trial.starred = row.integer(17) != 0;
+    trial.archived = instantOf(row, 18);
+    trial.binned = instantOf(row, 19);
+    trial.teamPseudonym = row.name(20);
+    return trial;
+}
+
+/// Which trials are meant: a condition on their rows, with its parameters.
+struct Choice
+{
+    QString condition;
+    std::vector<std::int64_t> parameters;
+};
+
+/// Adds what a trial has several of; trials that were not read are passed over. One query for each kind,
+/// however many trials.
+Result<void> addLists(const ProjectConnection &connection, const Choice &choice,
+                      std::vector<TrialRecord> &trials)
+{
+    std::unordered_map<RecordId, TrialRecord *> byId;
+    for (TrialRecord &trial : trials)
+        byId.emplace(trial.id, &trial);
+    const auto read = [&](const QString &sql, const auto &take) {
+        Statement select(connection, sql.arg(choice.condition));
+        for (const std::int64_t parameter : choice.parameters)
+            select.bind(parameter);
+        return select.eachRow([&](const Statement &row) -> Result<void> {
+            if (const auto trial = byId.find(row.integer(0)); trial != byId.end())
+                take(*trial->second, row);
+            return {};
+        });
+    };
+    auto robots = read(QStringLiteral("SELECT trial_id, robot.id, robot.name FROM trial "
+                                      "JOIN trial_robot ON trial_id=trial.id JOIN robot ON robot.id=robot_id "
+                                      "WHERE %1 ORDER BY trial_id, trial_robot.position"),
+                       [](TrialRecord &trial, const Statement &row) {
+                           if (trial.robots.size() == mostRobots)
+                               return;
+                           trial.robots.push_back(row.integer(1));
+                           trial.robotNames.push_back(row.name(2));
+                       });
+    if (!robots)
+        return robots;
+    return read(QStringLiteral("SELECT trial_id, tag FROM trial JOIN trial_tag ON trial_id=trial.id "
+                               "WHERE %1 ORDER BY trial_id, tag"),
+                [](TrialRecord &trial, const Statement &row) {
+                    if (trial.tags.size() < mostTags)
+                        trial.tags.push_back(row.name(1));
+                });
+}
+
+Result<std::vector<TrialRecord>> readTrials(const ProjectConnection &connection, const Choice &choice)
+{
+    std::vector<TrialRecord> trials;
+    Statement select(
+        connection,
+        trialColumns + QStringLiteral("WHERE %1 ORDER BY date_ms DESC, trial.id DESC").arg(choice.condition));
+    for (const std::int64_t parameter : choice.parameters)
+        select.bind(parameter);
+    auto read = select.eachRow([&trials](const Statement &row) -> Result<void> {
+        trials.push_back(trialOf(row));
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    if (auto added = addLists(connection, choice, trials); !added)
+        return tl::unexpected(added.error());
+    return trials;
+}
+
+Result<RecordId> addRow(ProjectConnection &connection, const TrialRecord &trial)
+{
+    if (auto valid = checkName("trial", trial.name); !valid)
+        return tl::unexpected(valid.error());
+    if (auto valid = checkText("notes of a trial", trial.notes); !valid)
+        return tl::unexpected(valid.error());
+    if (auto isFree = checkNameIsFree(connection, "trial", "trial", trial.name); !isFree)
+        return tl::unexpected(isFree.error());
+    const auto task = idOfName(connection, "task", trial.task);
+    if (!task)
+        return tl::unexpected(task.error());
+    Statement insert(
+        connection,
+        QStringLiteral(
+            "INSERT INTO trial (name, team_id, task_id, date_ms, notes, sync_method, "
+            "sync_offset_s, sync_offset_sigma_s, sync_score, duration_s, sync_rate, sync_rate_sigma) "
+            "VALUES (?,?,?,?,?,?,?,?,?,?,?,?)"));
+    insert.bind(trial.name).bindReference(trial.team).bindReference(*task);
+    insert.bind(static_cast<std::int64_t>(trial.date.time_since_epoch().count())).bind(trial.notes);
+    insert.bind(trial.syncMethod).bind(trial.syncOffsetS).bind(trial.syncOffsetSigmaS).bind(trial.syncScore);
+    if (auto done = insert.bind(trial.durationS).bind(trial.syncRate).bind(trial.syncRateSigma).run(); !done)
+        return tl::unexpected(done.error());
+    return insert.insertedId();
+}
+
+Result<void> addRobots(ProjectConnection &connection, RecordId trial, const std::vector<RecordId> &robots)
+{
+    if (robots.size() > mostRobots)
+        return fail(ErrorCode::InvalidInput, "trial " + std::to_string(trial) + " of the project",
+                    "it has " + std::to_string(robots.size()) + " robots",
+                    "use at most " + std::to_string(mostRobots));
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+        Statement insert(connection, QStringLiteral("INSERT INTO trial_robot VALUES (?,?,?)"));
+        insert.bind(trial).bind(static_cast<std::int64_t>(i)).bind(robots[i]);
+        if (auto done = insert.run(); !done)
+            return done;
+    }
+    return {};
+}
+
+} // namespace
+
+TrialRepository::TrialRepository(ProjectConnection &connection) : m_connection(connection) {}
+
+Result<TrialRecord> TrialRepository::add(const TrialRecord &given,
+                                         const std::vector<RecordingRecord> &recordings)
+{
+    TrialRecord trial = given;
+    trial.name = normalName(given.name);
+    return transact(m_connection, [&]() -> Result<TrialRecord> {
+        if (recordings.size() > mostViews)
+            return fail(ErrorCode::InvalidInput, "trial '" + trial.name + "'",
+                        "it has " + std::to_string(recordings.size()) + " views",
+                        "use at most " + std::to_string(mostViews));
+        const auto id = addRow(m_connection, trial);
+        if (!id)
+            return tl::unexpected(id.error());
+        if (auto added = addRobots(m_connection, *id, trial.robots); !added)
+            return tl::unexpected(added.error());
+        for (std::size_t i = 0; i < recordings.size(); ++i) {
+            RecordingRecord recording = recordings[i];
+            recording.trial = *id;
+            recording.position = static_cast<int>(i);
+            if (auto added = addRecording(m_connection, recording); !added)
+                return tl::unexpected(added.error());
+        }
+        return get(*id);
+    });
+}
+
+Result<std::vector<TrialRecord>> TrialRepository::all() const
+{
+    return readTrials(m_connection, {QStringLiteral("1=1"), {}});
+}
+
+Result<std::vector<TrialRecord>> TrialRepository::page(const TrialRecord *after, int count) const
+{
+    // The oldest date of the page, so that the lists are asked for by the same dates.
+    Statement oldest(m_connection,
+                     QStringLiteral("SELECT MIN(date_ms), COUNT(*) FROM (SELECT date_ms FROM trial WHERE %1 "
+                                    "ORDER BY date_ms DESC LIMIT ?)")
+                         .arg(after ? QStringLiteral("date_ms<?") : QStringLiteral("1=1")));
+    const auto dateMs = [](Instant instant) {
+        return static_cast<std::int64_t>(instant.time_since_epoch().count());
+    };
+    if (after)
+        oldest.bind(dateMs(after->date));
+    const auto found = oldest.bind(count).firstRow();
+    if (!found)
+        return tl::unexpected(found.error());
+    if (!*found || oldest.integer(1) == 0)
+        return std::vector<TrialRecord>();
+    Choice choice{QStringLiteral("date_ms>=?"), {oldest.integer(0)}};
+    if (after) {
+        choice.condition += QStringLiteral(" AND date_ms<?");
+        choice.parameters.push_back(dateMs(after->date));
+    }
+    return readTrials(m_connection, choice);
+}
+
+Result<std::vector<TrialName>> TrialRepository::names() const
+{
+    std::vector<TrialName> names;
+    Statement select(
+        m_connection,
+        QStringLiteral("SELECT trial.id, trial.name, team.name, trial.state, binned_ms FROM trial "
+                       "LEFT JOIN team ON team.id=team_id ORDER BY date_ms DESC, trial.id DESC"));
+    auto read = select.eachRow([&names](const Statement &row) -> Result<void> {
+        names.push_back({row.integer(0), row.name(1), row.name(2), row.text(3) == "recording",
+                         instantOf(row, 4).has_value()});
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return names;
+}
+
+Result<TrialRecord> TrialRepository::find(const std::string &name) const
+{
+    const auto id = idNamed(m_connection, "trial", name);
+    if (!id)
+        return tl::unexpected(id.error());
+    if (*id == 0)
+        return noSuchName(m_connection, "trial", "trial", name);
+    return get(*id);
+}
+
+Result<TrialRecord> TrialRepository::get(RecordId id) const
+{
+    auto trials = readTrials(m_connection, {QStringLiteral("trial.id=?"), {id}});
+    if (!trials)
+        return tl::unexpected(trials.error());
+    if (trials->empty())
+        return noSuchId(m_connection, "trial", id);
+    return std::move(trials->front());
+}
+
+Result<void> TrialRepository::setNotes(RecordId trial, const std::string &notes)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        if (auto valid = checkText("notes of a trial", notes); !valid)
+            return valid;
+        if (auto known = get(trial); !known)
+            return tl::unexpected(known.error());
+        Statement update(m_connection, QStringLiteral("UPDATE trial SET notes=? WHERE id=?"));
+        return update.bind(notes).bind(trial).run();
+    });
+}
+
+Result<void> TrialRepository::setRobots(RecordId trial, const std::vector<RecordId> &robots)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        Statement remove(m_connection, QStringLiteral("DELETE FROM trial_robot WHERE trial_id=?"));
+        if (auto done = remove.bind(trial).run(); !done)
+            return done;
+        return addRobots(m_connection, trial, robots);
+    });
+}
+
+Result<void> TrialRepository::setTask(RecordId trial, const std::string &task)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        if (auto known = get(trial); !known)
+            return tl::unexpected(known.error());
+        const auto id = idOfName(m_connection, "task", task);
+        if (!id)
+            return tl::unexpected(id.error());
+        Statement update(m_connection, QStringLiteral("UPDATE trial SET task_id=? WHERE id=?"));
+        return update.bindReference(*id).bind(trial).run();
+    });
+}
+
+Result<bool> TrialRepository::isFileUsed(const std::string &path) const
+{
+    // A project that was renamed with its media folder names one file in two ways.
+    const std::filesystem::path file = absolutePath(m_connection.file(), path);
+    const std::string name = file.filename().string();
+    bool isUsed = false;
+    Statement select(m_connection,
+                     QStringLiteral("SELECT path FROM recording WHERE substr(path, -length(?))=?"));
+    auto read = select.bind(name).bind(name).eachRow([&](const Statement &row) -> Result<void> {
+        isUsed = isUsed || absolutePath(m_connection.file(), row.text(0)) == file;
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    return isUsed;
+}
+
+Result<std::vector<RecordingRecord>> TrialRepository::recordings(RecordId trial) const
+{
+    return recordingsOf(m_connection, trial);
+}
+
+Result<std::vector<RecordingRecord>> TrialRepository::allRecordings() const
+{
+    return recordingsWithoutTimes(m_connection);
+}
+
+Result<std::optional<RecordingRecord>> TrialRepository::newestRecording(RecordId camera) const
+{
+    return newestRecordingOf(m_connection, camera);
+}
+
+Result<void> TrialRepository::setFile(RecordId recording, const std::filesystem::path &file)
+{
+    Statement update(m_connection, QStringLiteral("UPDATE recording SET path=? WHERE id=?"));
+    return update.bind(storedPath(m_connection.file(), file)).bind(recording).run();
+}
+
+Result<void> TrialRepository::setSync(const TrialRecord &trial)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        if (auto known = get(trial.id); !known)
+            return tl::unexpected(known.error());
+        Statement update(m_connection, QStringLiteral("UPDATE trial SET sync_method=?, sync_offset_s=?, "
+                                                      "sync_offset_sigma_s=?, sync_score=?, sync_rate=?, "
+                                                      "sync_rate_sigma=? WHERE id=?"));
+        update.bind(trial.syncMethod)
+            .bind(trial.syncOffsetS)
+            .bind(trial.syncOffsetSigmaS)
+            .bind(trial.syncScore)
+            .bind(trial.syncRate)
+            .bind(trial.syncRateSigma);
+        if (auto done = update.bind(trial.id).run(); !done)
+            return done;
+        Statement second(
+            m_connection,
+            QStringLiteral(
+                "UPDATE recording SET sync_method=?, start_offset_s=?, start_offset_sigma_s=?, clock_rate=? "
+                "WHERE trial_id=? AND position=1"));
+        second.bind(trial.syncMethod)
+            .bind(trial.syncOffsetS)
+            .bind(trial.syncOffsetSigmaS)
+            .bind(trial.syncRate);
+        return second.bind(trial.id).run();
+    });
+}
+
+// TrialRepository's part of what people do with trials through the year: stars, tags, archive and bin.
+
+namespace {
+
+/// NULL, or now.
+Result<void> stamp(ProjectConnection &connection, const char *sql, RecordId trial, bool isSet)
+{
+    const auto now = instantNow();
+    Statement update(connection, QString::fromLatin1(sql));
+    return update.bindReference(isSet ? now.time_since_epoch().count() : 0).bind(trial).run();
+}
+
+} // namespace
+
+Result<void> TrialRepository::setStarred(RecordId trial, bool starred)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        if (auto known = get(trial); !known)
+            return tl::unexpected(known.error());
+        Statement update(m_connection, QStringLiteral("UPDATE trial SET starred=? WHERE id=?"));
+        return update.bind(starred ? 1 : 0).bind(trial).run();
+    });
+}
+
+Result<void> TrialRepository::setTags(RecordId trial, const std::vector<std::string> &tags)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        if (auto known = get(trial); !known)
+            return tl::unexpected(known.error());
+        if (auto removed = runFor(m_connection, "DELETE FROM trial_tag WHERE trial_id=?", trial); !removed)
+            return removed;
+        std::set<std::string> normalTags;
+        std::ranges::transform(tags, std::inserter(normalTags, normalTags.end()), normalName);
+        for (const std::string &tag : normalTags) {
+            if (auto valid = checkName("tag", tag); !valid)
+                return valid;
+            Statement insert(m_connection, QStringLiteral("INSERT INTO trial_tag VALUES (?,?)"));
+            if (auto done = insert.bind(trial).bind(tag).run(); !done)
+                return done;
+        }
+        return {};
+    });
+}
+
+Result<std::vector<std::string>> TrialRepository::tags() const
+{
+    return textsOf(m_connection, QStringLiteral("SELECT DISTINCT tag FROM trial_tag ORDER BY tag"));
+}
+
+Result<void> TrialRepository::setArchived(RecordId trial, bool archived)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        if (auto known = get(trial); !known || known->archived.has_value() == archived)
+            return withoutValue(known);
+        return stamp(m_connection, "UPDATE trial SET archived_ms=? WHERE id=?", trial, archived);
+    });
+}
+
+Result<void> TrialRepository::setBinned(RecordId trial, bool binned)
+{
+    return transact(m_connection, [&]() -> Result<void> {
+        const auto known = get(trial);
+        if (!known || known->binned.has_value() == binned)
+            return withoutValue(known);
+        if (known->unfinished)
+            return fail(ErrorCode::InvalidInput, "trial '" + known->name + "'", "it is being recorded",
+                        "end its recording first");
+        return stamp(m_connection, "UPDATE trial SET binned_ms=? WHERE id=?", trial, binned);
+    });
+}
+
+Result<std::int64_t> TrialRepository::binnedBytes() const
+{
+    return m_connection.number(
+        QStringLiteral("SELECT COALESCE(SUM(bytes), 0) FROM recording JOIN trial ON trial.id=trial_id "
+                       "WHERE binned_ms IS NOT NULL"));
+}
+
+Result<std::vector<std::string>> TrialRepository::removeForGood(RecordId trial)
+{
+    return transact(m_connection, [&]() -> Result<std::vector<std::string>> {
+        const auto known = get(trial);
+        if (!known)
+            return tl::unexpected(known.error());
+        if (!known->binned)
+            return fail(ErrorCode::InvalidInput, "trial '" + known->name + "'", "it is not in the bin",
+                        "put it into the bin first");
+        const auto recordings = this->recordings(trial);
+        if (!recordings)
+            return tl::unexpected(recordings.error());
+        std::vector<std::string> files;
+        for (const RecordingRecord &recording : *recordings)
+            files.push_back(recording.path);
+        // The triggers that keep raw measurements let those of a removed trial go.
+        for (const char *sql :
+             {"UPDATE trial SET state='removed' WHERE id=?",
+              "DELETE FROM observation_chunk WHERE series_id IN (SELECT observation_series.id FROM "
+              "observation_series "
+              "JOIN recording ON recording.id=recording_id WHERE trial_id=?)",
+              "DELETE FROM observation_series WHERE recording_id IN (SELECT id FROM recording WHERE "
+              "trial_id=?)",
+              "DELETE FROM raw_time_chunk WHERE recording_id IN (SELECT id FROM recording WHERE trial_id=?)",
+              "DELETE FROM frame_time_chunk WHERE recording_id IN (SELECT id FROM recording WHERE "
+              "trial_id=?)",
+              "DELETE FROM pointed_out_robot WHERE recording_id IN (SELECT id FROM recording WHERE "
+              "trial_id=?)",
+              "DELETE FROM recording WHERE trial_id=?",
+              "DELETE FROM analysis_view WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
+              "DELETE FROM analysis_chunk WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
+              "DELETE FROM analysis_digest WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
+              "DELETE FROM analysis_overrule WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
+              "DELETE FROM metric WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
+              "DELETE FROM spike WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
+              "DELETE FROM gate_passage WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
+              "DELETE FROM doubtful_name_robot WHERE analysis_id IN (SELECT id FROM analysis WHERE "
+              "trial_id=?)",
+              "DELETE FROM doubtful_name WHERE analysis_id IN (SELECT id FROM analysis WHERE trial_id=?)",
+              "DELETE FROM analysis WHERE trial_id=?",
+              "DELETE FROM overrule WHERE trial_id=?",
+              "DELETE FROM imported_track_chunk WHERE track_id IN (SELECT id FROM imported_track WHERE "
+              "trial_id=?)",
+              "DELETE FROM imported_track WHERE trial_id=?",
+              "DELETE FROM truth WHERE trial_id=?",
+              "DELETE FROM trial_tag WHERE trial_id=?",
+              "DELETE FROM trial_robot WHERE trial_id=?",
+              "DELETE FROM trial WHERE id=?"}) {
+            if (auto done = runFor(m_connection, sql, trial); !done)
+                return tl::unexpected(done.error());
+        }
+        return files;
+    });
+}
+
+} // namespace odo

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/project_locks.h"
+
+#include "core/base/file_system.h"
+#include "core/files/temporary.h"
+
+#include <QString>
+#include <QSysInfo>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <optional>
+#include <string_view>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace odo {
+
+namespace {
+
+/// The line behind what a lock says, by which it is known.
+constexpr std::string_view mark = "\nlock of Odograph\n";
+constexpr std::size_t mostBytes = 400;
+
+/// The words of a lock's file; nothing where it is no lock's.
+std::optional<std::string> wordsIn(int descriptor)
+{
+    struct stat status
+    {
+    };
+    if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode) || status.st_nlink > 1)
+        return std::nullopt;
+    std::string text(mostBytes, '\0');
+    const ssize_t length = ::pread(descriptor, text.data(), text.size(), 0);
+    if (length <= 0 || status.st_size != length)
+        return length == 0 ? std::optional(std::string()) : std::nullopt;
+    text.resize(static_cast<std::size_t>(length));
+    if (!text.ends_with(mark))
+        return std::nullopt;
+    return text.substr(0, text.find('\n'));
+}
+
+} // namespace
+
+HeldFile::HeldFile(std::filesystem::path file, Afterwards afterwards, int descriptor)
+    : m_file(std::move(file)), m_afterwards(afterwards), m_descriptor(descriptor)
+{
+}
+
+Result<std::unique_ptr<HeldFile>> HeldFile::take(const std::filesystem::path &file, Afterwards afterwards,
+                                                 const std::string &words)
+{
+    for (;;) {
+        // Never through a link: a project may come from anyone, and what the link leads to would be emptied.
+        const int descriptor =
+            ::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0644);
+        if (descriptor < 0)
+            return fail(ErrorCode::Io, "cannot hold " + file.string(), std::strerror(errno),
+                        "check the free space and the rights of its folder");
+        if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+            ::close(descriptor);
+            return nullptr;
+        }
+        if (!isAt(file, descriptor)) { // whoever gave it up may have removed it meanwhile
+            ::close(descriptor);
+            continue;
+        }
+        std::unique_ptr<HeldFile> held(new HeldFile(file, afterwards, descriptor));
+        if (!wordsIn(descriptor)) {
+            held->m_afterwards = Afterwards::Stays;
+            return held;
+        }
+        const std::string text =
+            words.empty() ? words : words.substr(0, mostBytes - mark.size()) + std::string(mark);
+        if (::ftruncate(descriptor, 0) != 0 ||
+            ::write(descriptor, text.data(), text.size()) != static_cast<ssize_t>(text.size()))
+            return fail(ErrorCode::Io, "cannot hold " + file.string(), std::strerror(errno),
+                        "check the free space and the rights of its folder");
+        return held;
+    }
+}
+
+bool HeldFile::isHeld(const std::filesystem::path &file)
+{
+    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor < 0)
+        return false;
+    const bool held = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0;
+    ::close(descriptor);
+    return held;
+}
+
+std::string HeldFile::wordsOf(const std::filesystem::path &file)
+{
+    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (descriptor < 0)
+        return {};
+    const std::string words = wordsIn(descriptor).value_or(std::string());
+    ::close(descriptor);
+    return words;
+}
+
+HeldFile::~HeldFile()
+{
+    if (m_afterwards == Afterwards::Goes)
+        ::unlink(m_file.c_str()); // while it is held, so that nobody else's goes
+    ::close(m_descriptor);
+}
+
+std::filesystem::path RecordingLock::fileIn(const std::filesystem::path &mediaFolder)
+{
+    return mediaFolder / "recording.lock";
+}
+
+Result<std::unique_ptr<RecordingLock>> RecordingLock::take(const std::filesystem::path &mediaFolder)
+{
+    const std::string what = "cannot record into " + mediaFolder.string();
+    std::error_code problem;
+    files::makeFolders(mediaFolder, problem);
+    if (problem)
+        return fail(ErrorCode::Io, what, problem.message(),
+                    "check the free space and the rights of the project's folder");
+    auto file = HeldFile::take(fileIn(mediaFolder), HeldFile::Afterwards::Stays);
+    if (!file)
+        return fail(file.error().code, what, file.error().why, file.error().advice);
+    if (!*file)
+        return fail(ErrorCode::AlreadyExists, what, "a trial is being recorded into it just now",
+                    "wait until that has ended");
+    return std::unique_ptr<RecordingLock>(new RecordingLock(std::move(*file)));
+}
+
+bool RecordingLock::isHeld(const std::filesystem::path &mediaFolder)
+{
+    return HeldFile::isHeld(fileIn(mediaFolder));
+}
+
+namespace {
+
+std::filesystem::path lockFile(const std::filesystem::path &project)
+{
+    std::error_code problem;
+    std::filesystem::path file = files::realPath(project, problem); // two ways to one file
+    if (problem)
+        file = project;
+    file += ".lock";
+    return file;
+}
+
+/// "anna on room12-pc3".
+std::string holder()
+{
+    const QString user = qEnvironmentVariable("USER", QStringLiteral("somebody"));
+    return QStringLiteral("%1 on %2").arg(user, QSysInfo::machineHostName()).toStdString();
+}
+
+} // namespace
+
+Result<std::unique_ptr<WindowLock>> WindowLock::take(const std::filesystem::path &project)
+{
+    const std::string what = "project '" + project.filename().string() + "'";
+    auto file = HeldFile::take(lockFile(project), HeldFile::Afterwards::Goes, holder());
+    if (!file)
+        return fail(file.error().code, what, file.error().why, file.error().advice);
+    if (!*file) {
+        const std::string who = HeldFile::wordsOf(lockFile(project));
+        return fail(ErrorCode::AlreadyExists, what,
+                    "it is open in another window" + (who.empty() ? std::string() : " (" + who + ")"),
+                    "close it there first");
+    }
+    return std::unique_ptr<WindowLock>(new WindowLock(std::move(*file)));
+}
+
+} // namespace odo

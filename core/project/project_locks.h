@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace odo {
+
+/// A file that this object holds as long as it lives, so that others know. The system gives it up when the
+/// program ends, however it ends: the file by itself means nothing. Held by flock(2), which two objects of
+/// one program do not share either.
+class HeldFile
+{
+public:
+    /// Whether the file stays when it is given up.
+    enum class Afterwards { Stays, Goes };
+
+    /// Makes the file where it is not there. words: what it says to those who find it held, on one line.
+    /// nullptr where somebody holds it. Io where it cannot be written to. A file that has another name too,
+    /// or holds what no lock does, is somebody's own: it is held, but neither written to nor removed.
+    static Result<std::unique_ptr<HeldFile>> take(const std::filesystem::path &file, Afterwards afterwards,
+                                                  const std::string &words = {});
+    static bool isHeld(const std::filesystem::path &file);
+    /// What its holder says; empty where it cannot be read, or is no lock.
+    static std::string wordsOf(const std::filesystem::path &file);
+    ~HeldFile();
+    HeldFile(const HeldFile &) = delete;
+    HeldFile &operator=(const HeldFile &) = delete;
+
+private:
+    HeldFile(std::filesystem::path file, Afterwards afterwards, int descriptor);
+
+    const std::filesystem::path m_file;
+    Afterwards m_afterwards;
+    const int m_descriptor;
+};
+
+/// Held by who records into a project, so that no other program takes the trial for one that was cut off:
+/// `recording.lock` in the media folder.
+class RecordingLock
+{
+public:
+    /// Makes the media folder. AlreadyExists while somebody else holds it; Io where the folder cannot be
+    /// written to.
+    static Result<std::unique_ptr<RecordingLock>> take(const std::filesystem::path &mediaFolder);
+    /// What is held; it means nothing by itself.
+    static std::filesystem::path fileIn(const std::filesystem::path &mediaFolder);
+    /// Whether somebody, this program too, holds it now.
+    static bool isHeld(const std::filesystem::path &mediaFolder);
+
+private:
+    explicit RecordingLock(std::unique_ptr<HeldFile> file) : m_file(std::move(file)) {}
+    const std::unique_ptr<HeldFile> m_file;
+};
+
+/// Held by the window that changes a project, so that a second one shows it for reading only:
+/// `<name>.odo.lock` beside the file, gone when the window is. Subcommands do not ask for it: each of their
+/// changes is a transaction of its own.
+class WindowLock
+{
+public:
+    /// AlreadyExists, with who holds it, while another window does; Io where the folder cannot be written to.
+    static Result<std::unique_ptr<WindowLock>> take(const std::filesystem::path &project);
+
+private:
+    explicit WindowLock(std::unique_ptr<HeldFile> file) : m_file(std::move(file)) {}
+    const std::unique_ptr<HeldFile> m_file;
+};
+
+} // namespace odo

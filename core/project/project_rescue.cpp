@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/project_rescue.h"
+
+#include "core/base/file_system.h"
+#include "core/files/output_file.h"
+#include "core/files/temporary.h"
+#include "core/project/internal/connection.h"
+#include "core/project/internal/migrator.h"
+#include "core/project/internal/opening_check.h"
+#include "core/project/internal/schema.h"
+#include "core/project/project.h"
+#include "core/project/write_ahead_log.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+namespace odo {
+
+namespace {
+
+/// "3" and "3.2" of "lesson.odo.bak-3.2": not what is being made beside them.
+bool isBackupNumber(std::string_view text)
+{
+    return !text.empty() && text.find_first_not_of("0123456789.") == std::string_view::npos;
+}
+
+bool isSound(const std::filesystem::path &backup)
+{
+    if (!checkFileHeader(backup, projectMigrator().newestVersion()))
+        return false;
+    const auto connection = ProjectConnection::open(backup, DatabaseAccess::Immutable);
+    if (!connection)
+        return false;
+    return passesQuickCheck(**connection).value_or(false);
+}
+
+} // namespace
+
+std::optional<std::filesystem::path> soundBackupOf(const std::filesystem::path &project)
+{
+    const std::string start = project.filename().string() + ".bak-";
+    const std::filesystem::path folder =
+        project.has_parent_path() ? project.parent_path() : std::filesystem::path(".");
+    std::vector<std::pair<std::filesystem::file_time_type, std::filesystem::path>> backups;
+    std::error_code problem;
+    for (const std::string &name : files::namesIn(folder, problem)) {
+        if (!name.starts_with(start) || !isBackupNumber(std::string_view(name).substr(start.size())))
+            continue;
+        const auto written = files::lastWritten(folder / name, problem);
+        if (!problem)
+            backups.emplace_back(written, folder / name);
+    }
+    std::ranges::sort(backups, std::greater());
+    const auto sound =
+        std::ranges::find_if(backups, [](const auto &backup) { return isSound(backup.second); });
+    return sound == backups.end() ? std::nullopt : std::optional(sound->second);
+}
+
+Result<void> worthOpening(const std::filesystem::path &project)
+{
+    auto header = checkFileHeader(project, projectMigrator().newestVersion());
+    if (!header && header.error().code == ErrorCode::InvalidInput && soundBackupOf(project))
+        return {};
+    return header;
+}
+
+std::string adviceToCopy(const std::filesystem::path &backup)
+{
+    return "copy '" + backup.filename().string() +
+           "', which is sound, to a new name and open that, and keep the damaged file";
+}
+
+Error namingABackup(Error error, const std::filesystem::path &project)
+{
+    if (error.code != ErrorCode::InvalidInput)
+        return error;
+    if (const auto backup = soundBackupOf(project))
+        error.advice = adviceToCopy(*backup);
+    return error;
+}
+
+namespace {
+
+bool isThere(const std::filesystem::path &file)
+{
+    return files::kindOfItself(file) != files::Kind::Missing;
+}
+
+std::filesystem::path freeName(const std::filesystem::path &first)
+{
+    const auto isFree = [](const std::filesystem::path &name) {
+        return !isThere(name) && std::ranges::none_of(sideFileSuffixes, [&name](const char *side) {
+            return isThere(besideFile(name, side));
+        });
+    };
+    std::filesystem::path name = first;
+    for (int i = 2; !isFree(name); ++i)
+        name = besideFile(first, '.' + std::to_string(i));
+    return name;
+}
+
+/// Gives a project and what lies beside it a second name, and takes that back unless it is told to keep it.
+class KeptAside
+{
+public:
+    KeptAside(std::filesystem::path project, std::filesystem::path kept)
+        : m_project(std::move(project)), m_kept(std::move(kept))
+    {
+    }
+    KeptAside(const KeptAside &) = delete;
+    KeptAside &operator=(const KeptAside &) = delete;
+    ~KeptAside()
+    {
+        for (const auto &[from, to] : m_moved)
+            static_cast<void>(std::rename(to.c_str(), from.c_str()));
+        if (m_isLinked)
+            ::unlink(m_kept.c_str());
+    }
+
+    const std::filesystem::path &kept() const { return m_kept; }
+    /// False, with errno set, where the system refuses.
+    bool take()
+    {
+        // A link leaves the file under its name until another replaces it. Not every disk (a USB stick's FAT)
+        // knows links.
+        m_isLinked = ::link(m_project.c_str(), m_kept.c_str()) == 0;
+        for (const char *side : sideFileSuffixes) {
+            if (isThere(besideFile(m_project, side)) &&
+                !move(besideFile(m_project, side), besideFile(m_kept, side)))
+                return false;
+        }
+        return m_isLinked || move(m_project, m_kept);
+    }
+    void keep()
+    {
+        m_moved.clear();
+        m_isLinked = false;
+    }
+
+private:
+    bool move(const std::filesystem::path &from, const std::filesystem::path &to)
+    {
+        if (std::rename(from.c_str(), to.c_str()) != 0)
+            return false;
+        m_moved.emplace_back(from, to);
+        return true;
+    }
+
+    const std::filesystem::path m_project, m_kept;
+    std::vector<std::pair<std::filesystem::path, std::filesystem::path>> m_moved;
+    bool m_isLinked = false;
+};
+
+} // namespace
+
+Result<RestoredBackup> restoreBackup(const std::filesystem::path &project)
+{
+    const std::string what = "project '" + project.filename().string() + "'";
+    const auto backup = soundBackupOf(project);
+    if (!backup)
+        return fail(ErrorCode::NotFound, what, "no sound backup lies beside it",
+                    "restore it from a backup copy");
+    const auto refused = [&](ErrorCode code, const std::string &why) {
+        return fail(code, what, why, adviceToCopy(*backup));
+    };
+    std::error_code problem;
+    std::filesystem::path real = files::realPath(project, problem); // a link stays one
+    if (problem)
+        real = project;
+    const auto folder = TemporaryFolder::make(real.parent_path(), what);
+    if (!folder)
+        return refused(folder.error().code, folder.error().why);
+    const std::filesystem::path fresh = (*folder)->path() / real.filename();
+    const auto source = ProjectConnection::open(*backup, DatabaseAccess::Immutable);
+    if (!source)
+        return refused(source.error().code, source.error().why);
+    if (auto copied = copyDatabase(**source, fresh); !copied)
+        return refused(copied.error().code, copied.error().why);
+    KeptAside aside(real, freeName(besideFile(real, ".damaged")));
+    const auto failed = [&refused] {
+        return refused(ErrorCode::Io, std::string("writing it failed (") + std::strerror(errno) + ")");
+    };
+    if (!aside.take())
+        return failed();
+    syncToDisk(real.parent_path()); // some file systems cannot sync a folder: both files are safe already
+    if (std::rename(fresh.c_str(), real.c_str()) != 0)
+        return failed();
+    aside.keep();
+    syncToDisk(real.parent_path());
+    return RestoredBackup{*backup, aside.kept()};
+}
+
+namespace {
+
+/// The folders to try, in this order.
+std::vector<std::filesystem::path> foldersFor(const Project &project)
+{
+    std::vector<std::filesystem::path> folders;
+    const auto add = [&](const std::filesystem::path &folder) {
+        if (files::isFolder(folder))
+            folders.push_back(folder);
+    };
+    add(files::absolute(project.file()).parent_path());
+    if (const auto now = project.presentPlace())
+        add(now->parent_path());
+    if (const char *home = std::getenv("HOME"))
+        add(home);
+    return folders;
+}
+
+} // namespace
+
+Result<std::filesystem::path> rescueProject(const Project &project)
+{
+    constexpr int mostNames = 1000;
+    project.emptyLog(); // or whoever opens a file that took this one's place would apply the log to that
+    Result<void> done = fail(ErrorCode::NotFound, "project '" + project.file().filename().string() + "'",
+                             "its folder is gone, and there is no home folder to rescue it to",
+                             "put the file back in its place");
+    for (const std::filesystem::path &folder : foldersFor(project)) {
+        for (int number = 1; number <= mostNames; ++number) {
+            const std::string ending =
+                number == 1 ? " (rescued).odo" : " (rescued " + std::to_string(number) + ").odo";
+            const std::filesystem::path file = folder / (project.file().stem().string() + ending);
+            done = checkNewProject(file, "project '" + project.file().filename().string() + "'");
+            if (done)
+                done = project.saveCopy(file);
+            if (done)
+                return file;
+            if (done.error().code != ErrorCode::AlreadyExists)
+                break;
+        }
+    }
+    return tl::unexpected(done.error());
+}
+
+} // namespace odo

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace odo {
+
+/// The newest of the backups that migrations have left beside a project ("<name>.odo.bak-<version>") in which
+/// SQLite finds nothing wrong. Any thread; reads them wholly, up to the first that is sound.
+std::optional<std::filesystem::path> soundBackupOf(const std::filesystem::path &project);
+
+/// Whether a window has anything to show of a file: the header of a project, or a sound backup of it that can
+/// be restored. The errors are those of Project::checkHeader.
+Result<void> worthOpening(const std::filesystem::path &project);
+
+/// To copy that backup by hand, as the advice of an error.
+std::string adviceToCopy(const std::filesystem::path &backup);
+
+/// Why a project cannot be used, with the advice to take the sound backup where there is one. Only where its
+/// content is at fault (InvalidInput). The project is left as it is.
+Error namingABackup(Error error, const std::filesystem::path &project);
+
+/// Which files a restored project was made of.
+struct RestoredBackup
+{
+    std::filesystem::path backup;  ///< is still there
+    std::filesystem::path damaged; ///< where the damaged file was kept, with what SQLite had beside it
+};
+
+/// Puts a copy of the newest sound backup in the place of a damaged project, which is kept as
+/// "<name>.odo.damaged" (or another name with a number). Nothing is removed or written over, and killed at
+/// any moment the project's name has the one or the other behind it (on a disk without links, the damaged
+/// file may only be left under its new name). The caller sees to it that nobody has the project open. Any
+/// thread; reads and writes the whole file. Errors: NotFound without a sound backup; those of writing, and
+/// all is as before.
+Result<RestoredBackup> restoreBackup(const std::filesystem::path &project);
+
+class Project;
+
+/// Copies an open project whose file is no longer in its place (Project::isInPlace) to "<name> (rescued).odo"
+/// beside where it was, or where its file was moved to when that folder is gone, or in the home folder;
+/// numbered where a file of that name is. Gives the new file. On the project's thread.
+Result<std::filesystem::path> rescueProject(const Project &project);
+
+} // namespace odo

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/synchronisation/clip_evidence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace odo {
+
+namespace {
+
+constexpr double leastEvidenceScore = 0.5; // of an observation; doubtful ones only blur the answer
+constexpr double disagreementSigmas = 4;
+constexpr double nearFlashSigmas = 5;
+constexpr double rarely = 0.05;              // of the frames
+constexpr double leastDisagreementS = 0.002; // less is no harm
+
+std::optional<Eigen::Vector2d> placeSeen(const FloorView &view, const Observation &observation,
+                                         double heightM)
+{
+    if (!observation.found || observation.score < leastEvidenceScore || observation.touchesBorder)
+        return std::nullopt;
+    return view.floorFromPixel(observation.ellipse.centrePx, heightM / 2);
+}
+
+/// What one view saw of the robots of a group in one frame.
+struct GroupSight
+{
+    double timeS = 0;
+    std::vector<Eigen::Vector2d> places;
+};
+
+/// The observations of a view are of equal frames.
+std::vector<GroupSight> sightsOf(const NamedView &view, const std::vector<NamedRobot> &robots,
+                                 const std::vector<std::size_t> &group)
+{
+    std::vector<GroupSight> sights;
+    if (!view.floorView)
+        return sights;
+    for (std::size_t i = 0; i < view.robots[group.front()].size(); ++i) {
+        GroupSight &sight = sights.emplace_back();
+        sight.timeS = toSeconds(view.robots[group.front()][i].time);
+        for (const std::size_t robot : group) {
+            if (const auto place =
+                    placeSeen(*view.floorView, view.robots[robot][i], robots[robot].heightM.value_or(0)))
+                sight.places.push_back(*place);
+        }
+    }
+    return sights;
+}
+
+/// How many of a group are there: as many as a view sees at once, more often than by mistake.
+std::size_t robotsThere(const std::vector<std::vector<GroupSight>> &views, std::size_t most)
+{
+    for (std::size_t count = most; count > 1; --count) {
+        for (const std::vector<GroupSight> &sights : views) {
+            const auto seen = std::count_if(sights.begin(), sights.end(), [count](const GroupSight &sight) {
+                return sight.places.size() >= count;
+            });
+            if (double(seen) > rarely * double(sights.size()))
+                return count;
+        }
+    }
+    return 1;
+}
+
+std::vector<TimedPosition> middleTrack(const std::vector<GroupSight> &sights, std::size_t robotCount)
+{
+    std::vector<TimedPosition> track;
+    for (const GroupSight &sight : sights) {
+        if (sight.places.size() != robotCount)
+            continue;
+        Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+        for (const Eigen::Vector2d &place : sight.places)
+            sum += place;
+        track.push_back({sight.timeS, sum / double(robotCount)});
+    }
+    return track;
+}
+
+std::string plusMinus(const ClipOffset &offset)
+{
+    return formatNumber(offset.offsetS, 3) + " s ±" + formatNumber(offset.sigmaS, 3) + " s";
+}
+
+bool disagree(const ClipOffset &a, const ClipOffset &b)
+{
+    return std::abs(a.offsetS - b.offsetS) >
+           std::max(leastDisagreementS, disagreementSigmas * std::hypot(a.sigmaS, b.sigmaS));
+}
+
+/// The offset that the track tells best which tells best; the reason of the first where none tells.
+Result<ClipOffset> fromMotion(const ClipEvidence &first, const ClipEvidence &second, const OffsetRange &range,
+                              std::vector<std::string> &remarks)
+{
+    std::optional<ClipOffset> best;
+    std::size_t bestTrack = 0;
+    std::optional<Error> whyNot;
+    std::vector<std::optional<ClipOffset>> all;
+    for (std::size_t i = 0; i < first.tracks.size() && i < second.tracks.size(); ++i) {
+        const auto offset = estimateClipOffset(first.tracks[i].positions, second.tracks[i].positions, range);
+        all.push_back(offset ? std::optional(*offset) : std::nullopt);
+        if (!offset && !whyNot)
+            whyNot = offset.error();
+        if (offset && (!best || offset->sigmaS < best->sigmaS)) {
+            best = *offset;
+            bestTrack = i;
+        }
+    }
+    if (!best)
+        return tl::unexpected(*whyNot);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (all[i] && disagree(*all[i], *best))
+            remarks.push_back("robot " + first.tracks[i].robots + " tells an offset of " +
+                              plusMinus(*all[i]) + ", robot " + first.tracks[bestTrack].robots + " " +
+                              plusMinus(*best) + ", which was taken");
+    }
+    return *best;
+}
+
+/// Whether there is anything to compare, and else why not.
+Result<void> hasTracks(const ClipEvidence &first, const ClipEvidence &second)
+{
+    for (const ClipEvidence *view : {&first, &second}) {
+        if (view->tracks.empty())
+            return fail(ErrorCode::Undetermined, "synchronisation of the clips", view->whyNoTracks, {});
+    }
+    return {};
+}
+
+} // namespace
+
+std::vector<std::vector<MotionTrack>> motionTracks(const std::vector<NamedView> &views,
+                                                   const std::vector<NamedRobot> &robots,
+                                                   const std::vector<std::string> &names)
+{
+    std::vector<std::vector<MotionTrack>> tracks(views.size());
+    for (const std::vector<std::size_t> &group : robotsOfLikeColours(robots)) {
+        std::string together;
+        for (const std::size_t robot : group)
+            together += (together.empty() ? "'" : " and '") + names[robot] + "'";
+        std::vector<std::vector<GroupSight>> sights;
+        for (const NamedView &view : views)
+            sights.push_back(sightsOf(view, robots, group));
+        const std::size_t count = robotsThere(sights, group.size());
+        for (std::size_t v = 0; v < views.size(); ++v) {
+            if (views[v].floorView)
+                tracks[v].push_back({together, middleTrack(sights[v], count)});
+        }
+    }
+    return tracks;
+}
+
+Result<FoundOffset> findClipOffset(const ClipEvidence &first, const ClipEvidence &second,
+                                   const OffsetRange &range)
+{
+    FoundOffset found;
+    const auto flash = estimateFlashOffset(first.light, second.light);
+    Result<ClipOffset> motion = ClipOffset{};
+    if (auto has = hasTracks(first, second); !has)
+        motion = tl::unexpected(has.error());
+    else
+        motion = fromMotion(first, second, range, found.remarks);
+    const auto nearFlash = [&]() -> Result<ClipOffset> {
+        const double halfWidthS = nearFlashSigmas * flash->sigmaS;
+        return fromMotion(first, second, {flash->offsetS, halfWidthS}, found.remarks);
+    };
+    if (!motion && flash && !first.tracks.empty() && !second.tracks.empty()) {
+        if (const auto near = nearFlash())
+            motion = near;
+    }
+    if (!motion && !flash)
+        return fail(ErrorCode::Undetermined, "synchronisation of the clips",
+                    motion.error().why + ", and " + flash.error().why, flash.error().advice);
+    if (motion) {
+        found.clock = *motion;
+        if (flash && disagree(*motion, *flash))
+            found.remarks.push_back("the motion tells an offset of " + plusMinus(*motion) +
+                                    ", which was taken, and the flash of light " + plusMinus(*flash));
+        return found;
+    }
+    found.clock = *flash;
+    found.fromFlash = true;
+    found.remarks.push_back("from a flash of light, to " + formatNumber(1e3 * flash->sigmaS, 1) +
+                            " ms only, for " + motion.error().why);
+    return found;
+}
+
+} // namespace odo

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/units.h"
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace odo {
+
+/// A place on the floor at a time of the view's own clock, zero at its first frame.
+struct TimedPosition
+{
+    double timeS = 0;
+    Eigen::Vector2d pointInWorld;
+};
+
+/// How the second view's clock lies against the first view's: what the second view stamps u was taken at
+/// offset + u / (1 + rate) of the first view's clock (core/trajectory/view_clock.h).
+struct ClipOffset
+{
+    double offsetS = 0; ///< how much later the second view's first frame was taken than the first view's
+    double sigmaS = 0;
+    double score = 0;     ///< 0 to 1: part of the motion's variance that both views share at this offset
+    double rate = 0;      ///< by how much the second clock runs faster; 0 where it is not significant
+    double rateSigma = 0; ///< also where the rate is 0: what the motion can tell
+};
+
+/// No camera's clock is wrong by more.
+inline constexpr double largestClockRate = 0.005;
+
+/// Why no offset is found, with the advice that holds for each way of looking for it.
+tl::unexpected<Error> undeterminedOffset(const std::string &why);
+
+/// The offsets to look at.
+struct OffsetRange
+{
+    double middleS = 0, halfWidthS = 10;
+};
+
+/// Finds the offset, and the rate difference, at which the floor tracks of one robot in two views coincide:
+/// least squares of r(t) = p1(t) − p2((t − offset)(1 + rate)). A constant shift and a small scale between the
+/// tracks are fitted as well, for a plane at a wrong height moves a view's track by just these (away from the
+/// camera's foot, in proportion); so a straight run at constant speed determines nothing, and is refused.
+/// Of cameras with more than 120 frames a second the means of neighbouring positions count as frames.
+/// Searches the range in half frames, refines by Gauss–Newton. σ from the curvature, less what noise
+/// adds to it, and the residual, taking the residuals as correlated over half a second. The rate is taken
+/// where it is beyond 3σ, makes the tracks agree better, and is one that a clock can have (half a percent).
+/// Pure; any thread. Undetermined: too few common positions, no or uniform motion, periodic motion with two
+/// equal answers.
+Result<ClipOffset> estimateClipOffset(const std::vector<TimedPosition> &firstTrack,
+                                      const std::vector<TimedPosition> &secondTrack,
+                                      const OffsetRange &range);
+
+} // namespace odo

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tracking/background.h"
+#include "core/tracking/internal/bit_mask.h"
+#include "core/tracking/light_meter.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace odo {
+
+/// Where to look closer, luma pixels.
+struct DifferenceWindow
+{
+    /// Columns from the window's left edge, begin up to, not including, end.
+    struct Band
+    {
+        int begin = 0, end = 0;         ///< to be read
+        int safeBegin = 0, safeEnd = 0; ///< where pixels count; what is within safePx of them is read, too
+    };
+    static constexpr int safePx = 4;
+
+    PixelRect rect;
+    std::vector<Band> bands; ///< of DifferenceLattice::step rows each, from the top
+};
+
+/// Windows around what differs on a lattice (core/tracking/internal/difference_windows.h), which do not
+/// overlap; in groups of those that are near one another, as a robot and its shadow may be. Single samples
+/// are noise and get none. Pure.
+std::vector<std::vector<DifferenceWindow>> windowsAround(const BitMask &differences,
+                                                         const PixelRect &picture);
+
+/// A frame beside its background on a lattice of every fourth pixel, which shows at little cost where to look
+/// closer. Keeps copies of the lattice's samples. One thread at a time.
+class DifferenceLattice
+{
+public:
+    /// luma pixels between samples, the first of which is half as far from the picture's edge
+    static constexpr int step = 4;
+
+    DifferenceLattice() = default;
+    explicit DifferenceLattice(const Background &background);
+
+    /// Compares a whole frame of the background's format; background: that which it was made of.
+    void compare(const Frame &frame, const Background &background);
+    /// How much lighter the frame is than the background.
+    const LightGain &gain() const { return m_gain; }
+    /// Where luma or chroma differ by more than the place varies.
+    const BitMask &differences() const { return m_differences; }
+
+private:
+    /// One sample of each plane for every place of the lattice, row by row.
+    struct Samples
+    {
+        std::vector<std::uint8_t> y, u, v;
+    };
+    template <class RowOf>
+    void takePlane(const RowOf &rowOf, int shiftX, int shiftY, std::vector<std::uint8_t> &into) const;
+    void adaptToLight();
+    void compareRow(int j);
+    bool differs(std::size_t inPicture, std::size_t inRow) const;
+
+    FrameFormat m_format;
+    int m_columns = 0, m_rows = 0;
+    Samples m_behind, m_sigmas;
+    std::vector<std::uint8_t> m_luma;            ///< of the frame
+    std::vector<std::uint8_t> m_u, m_v, m_steps; ///< of one row
+    std::vector<std::uint8_t> m_litBehind;       ///< luma of the background in the frame's light
+    std::array<std::uint8_t, 256> m_litTable{};  ///< by which it was made
+    LightGain m_gain;
+    BitMask m_differences;
+};
+
+} // namespace odo

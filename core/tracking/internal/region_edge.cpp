@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/internal/region_edge.h"
+
+#include "core/geometry/polygon.h"
+#include "core/tracking/internal/background_noise.h"
+#include "core/tracking/internal/compared_window.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace odo {
+
+void EdgePixels::makeRoom(std::size_t pixels)
+{
+    if (pixels <= at.size())
+        return;
+    at.resize(pixels);
+    around.resize(pixels);
+    found.resize(pixels);
+    for (std::vector<float> *values :
+         {&luma, &u, &v, &lumaBehind, &uBehind, &vBehind, &lumaNoise2, &chromaNoise2})
+        values->resize(pixels);
+}
+
+void EdgePixels::findCovered() // plainly, so that several are computed at once
+{
+    if (count == 0)
+        return;
+    float *__restrict into = found.front().data();
+    for (std::size_t i = 0, end = count; i < end; ++i, into += 2) {
+        const Sums &sums = around[i];
+        const float perPixel = 1 / float(sums[insideCount]),
+                    perChroma = perPixel / ComparedWindow::chromaUnit;
+        const int isNoneOutside = sums[outsideCount] == 0; // it counts as one in full light
+        const float light = float(sums[outsideLight] + isNoneOutside * lightUnit) /
+                            float((sums[outsideCount] + isNoneOutside) * lightUnit);
+        const float lumaOutside = light * lumaBehind[i], uOutside = light * uBehind[i],
+                    vOutside = light * vBehind[i];
+        const float dy = float(sums[insideLuma]) * perPixel - lumaOutside;
+        const float du = float(sums[insideU]) * perChroma - uOutside,
+                    dv = float(sums[insideV]) * perChroma - vOutside;
+        const float y2 = lumaNoise2[i], c2 = chromaNoise2[i];
+        const float contrast = dy * dy * c2 + (du * du + dv * dv) * y2; // times both variances, as `along`
+        const float along =
+            (luma[i] - lumaOutside) * dy * c2 + ((u[i] - uOutside) * du + (v[i] - vOutside) * dv) * y2;
+        into[0] = along / contrast;
+        into[1] = contrast - differsInSigmas2 * y2 * c2;
+    }
+}
+
+namespace {
+
+// to both sides of the edge, and inside where only its hue tells it
+constexpr int edgePx = 2, softEdgePx = 4;
+constexpr int edgeReach = 4, hueReach = 6; // pixels around one on the edge, in which both sides are looked at
+static_assert(RegionEdge::marginPx >= edgePx + hueReach);
+constexpr float half = 0.5F;
+
+Chroma meanChromaOf(const ComparedWindow &w, const PixelRect &part, const BitMask &pixels)
+{
+    std::int64_t count = 0, uSum = 0, vSum = 0;
+    for (int y = 0; y < pixels.height(); ++y) {
+        const std::int16_t *u = w.uRow(part.y0 + y) + part.x0, *v = w.vRow(part.y0 + y) + part.x0;
+        pixels.forEachRunInRow(y, [&](int x0, int x1) {
+            count += x1 - x0;
+            uSum += std::accumulate(u + x0, u + x1, 0);
+            vSum += std::accumulate(v + x0, v + x1, 0);
+        });
+    }
+    const double scale = count > 0 ? 1 / (double(count) * double(ComparedWindow::chromaUnit)) : 0;
+    return Chroma(double(uSum), double(vSum)) * scale;
+}
+
+} // namespace
+
+void RegionEdge::measure(const ComparedWindow &w, const FloorShade &shade, const PixelRect &part,
+                         const BitMask &region, const BitMask &cut)
+{
+    Surroundings all{w, part, region.eroded(edgePx, false), region.dilated(edgePx) - cut,
+                     shade.shade().cropped(part)};
+    BitMask soft = all.near & shade.byHue().cropped(part);
+    m_edge.count = 0;
+    if (!soft.isEmpty()) {
+        soft -= region.eroded(softEdgePx, false);
+        all.core -= soft;
+        addEdge(all, soft, hueReach);
+    }
+    addEdge(all, all.near - all.core - soft, edgeReach);
+    m_edge.findCovered();
+    cover(region);
+    m_meanChroma = meanChromaOf(w, part, all.core);
+    findPoints(all.near, {w.rect().x0 + part.x0, w.rect().y0 + part.y0});
+}
+
+/// Adds pixels on the edge, with both sides of it in the square around each that reaches so far.
+void RegionEdge::addEdge(const Surroundings &all, const BitMask &edge, int reach)
+{
+    const BitMask around = edge.grown(reach), outside = around - all.near;
+    const Summed summed{all.core & around, outside - all.shaded, outside & all.shaded};
+    const PixelRect box = edge.bounds();
+    m_columns.assign(std::size_t(edge.width() + 2 * reach), {});
+    // the sums are as far ahead as is looked at
+    for (int y = std::max(0, box.y0 - reach); y < box.y1 + reach; ++y) {
+        if (y < edge.height())
+            sumUp(all, summed, y, reach, [](std::int32_t &sum, int value) { sum += value; });
+        const int row = y - reach, left = row - reach - 1;
+        if (left >= 0)
+            sumUp(all, summed, left, reach, [](std::int32_t &sum, int value) { sum -= value; });
+        if (row >= 0)
+            addEdgeRow(all, edge, reach, row);
+    }
+}
+
+/// Changes the columns' sums by a row's pixels.
+template <class Change>
+void RegionEdge::sumUp(const Surroundings &all, const Summed &summed, int y, int reach, const Change &change)
+{
+    using E = EdgePixels;
+    const ComparedWindow &w = all.window;
+    const int left = all.part.x0, top = all.part.y0, black = w.gain().black;
+    const std::uint8_t *luma = w.lumaRow(top + y) + left;
+    const std::int16_t *u = w.uRow(top + y) + left, *v = w.vRow(top + y) + left;
+    E::Sums *columns = m_columns.data() + reach;
+    summed.inside.forEachRunInRow(y, [&](int x0, int x1) {
+        for (int x = x0; x < x1; ++x) {
+            change(columns[x][E::insideCount], 1);
+            change(columns[x][E::insideLuma], luma[x] - black);
+            change(columns[x][E::insideU], u[x]);
+            change(columns[x][E::insideV], v[x]);
+        }
+    });
+    summed.lit.forEachRunInRow(y, [&](int x0, int x1) {
+        for (int x = x0; x < x1; ++x) {
+            change(columns[x][E::outsideCount], 1);
+            change(columns[x][E::outsideLight], E::lightUnit);
+        }
+    });
+    summed.shaded.forEachInRow(y, [&](int x) {
+        change(columns[x][E::outsideCount], 1);
+        change(columns[x][E::outsideLight], int(float(E::lightUnit) * (w.seen(left + x, top + y).luma /
+                                                                       w.behind(left + x, top + y).luma)));
+    });
+}
+
+void RegionEdge::addEdgeRow(const Surroundings &all, const BitMask &edge, int reach, int y)
+{
+    const ComparedWindow &w = all.window;
+    EdgePixels &pixels = m_edge;
+    pixels.makeRoom(pixels.count + std::size_t(edge.width()));
+    const std::size_t first = pixels.count;
+    EdgePixels::Sums sums{};
+    int begin = 0, end = 0; // of the columns that are in the sums
+    edge.forEachInRow(y, [&](int x) {
+        if (x >= end) {
+            sums = {};
+            begin = end = x;
+        }
+        for (; end <= x + 2 * reach; ++end)
+            for (std::size_t k = 0; k < sums.size(); ++k)
+                sums[k] += m_columns[std::size_t(end)][k];
+        for (; begin < x; ++begin)
+            for (std::size_t k = 0; k < sums.size(); ++k)
+                sums[k] -= m_columns[std::size_t(begin)][k];
+        pixels.around[pixels.count] = sums;
+        pixels.at[pixels.count++] = std::size_t(y * edge.width() + x);
+    });
+    const int left = all.part.x0 - y * edge.width(), row = all.part.y0 + y;
+    for (std::size_t i = first; i < pixels.count; ++i) {
+        const PixelColour seen = w.seen(left + int(pixels.at[i]), row),
+                          behind = w.behind(left + int(pixels.at[i]), row);
+        pixels.luma[i] = seen.luma;
+        pixels.u[i] = seen.u;
+        pixels.v[i] = seen.v;
+        pixels.lumaBehind[i] = behind.luma;
+        pixels.uBehind[i] = behind.u;
+        pixels.vBehind[i] = behind.v;
+    }
+    for (std::size_t i = first; i < pixels.count; ++i) {
+        pixels.lumaNoise2[i] = w.lumaNoise2(left + int(pixels.at[i]), row);
+        pixels.chromaNoise2[i] = w.chromaNoise2(left + int(pixels.at[i]), row);
+    }
+}
+
+/// Fills in what the region covers of each pixel: on the edge as was found where its sides differ, otherwise
+/// all or nothing.
+void RegionEdge::cover(const BitMask &region)
+{
+    m_covered.create(region.height(), region.width());
+    for (int y = 0; y < region.height(); ++y) {
+        std::fill_n(m_covered[y], region.width(), 0.0F);
+        region.forEachRunInRow(
+            y, [&](int x0, int x1) { std::fill(m_covered[y] + x0, m_covered[y] + x1, 1.0F); });
+    }
+    float *covered = m_covered[0];
+    for (std::size_t i = 0; i < m_edge.count; ++i)
+        if (const auto [part, clearness] = m_edge.found[i]; clearness >= 0)
+            covered[m_edge.at[i]] = std::clamp(part, 0.0F, 1.0F);
+}
+
+void RegionEdge::findPoints(const BitMask &near, const Eigen::Vector2d &origin)
+{
+    m_points.clear();
+    // Of lines from one end, each from the pixel before the first that may belong to the region as far as
+    // there is such; turn: 1 or −1, to which side a hull turns that goes from line to line.
+    const auto walk = [&](int from, int to, double turn, int step, const auto &spanOf, const auto &valueAt,
+                          const auto &pointAt) {
+        const std::size_t first = m_points.size();
+        for (int line = from; line < to; ++line) {
+            const auto [low, high] = spanOf(line);
+            const int begin = step > 0 ? low : high - 1, end = step > 0 ? high : low - 1;
+            float before = 0;
+            for (int at = begin; at != end; at += step) {
+                const float here = valueAt(line, at);
+                if (here >= half) {
+                    const double back = at != begin ? double((here - half) / (here - before)) : 0;
+                    addToChain(m_points, first, turn, origin + pointAt(line, at - step * back));
+                    break;
+                }
+                before = here;
+            }
+        }
+    };
+    const PixelRect box = near.bounds();
+    const auto inRow = [&](int y, int x) { return m_covered(y, x); };
+    const auto inColumn = [&](int x, int y) { return m_covered(y, x); };
+    const auto onRow = [](int y, double x) { return Eigen::Vector2d(x, y); };
+    const auto onColumn = [](int x, double y) { return Eigen::Vector2d(x, y); };
+    const auto ofRow = [&](int y) {
+        const int last = near.lastSet(near.width(), y);
+        return last < 0 ? std::pair(0, 0)
+                        : std::pair(std::max(0, near.nextSet(0, y) - 1), std::min(near.width(), last + 2));
+    };
+    const auto ofColumn = [&](int) {
+        return std::pair(std::max(0, box.y0 - 1), std::min(near.height(), box.y1 + 1));
+    };
+    walk(box.y0, box.y1, -1, 1, ofRow, inRow, onRow);
+    walk(box.y0, box.y1, 1, -1, ofRow, inRow, onRow);
+    walk(box.x0, box.x1, 1, 1, ofColumn, inColumn, onColumn);
+    walk(box.x0, box.x1, -1, -1, ofColumn, inColumn, onColumn);
+}
+
+} // namespace odo

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/floor_view.h"
+#include "core/tracking/background.h"
+#include "core/tracking/chroma.h"
+#include "core/tracking/observation.h"
+#include "core/video/frame.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace odo {
+
+/// What tells which silhouette is a robot's own.
+struct SilhouetteCue
+{
+    const Observation *coloured = nullptr; ///< where its colour is seen in the frame; null: it is of any look
+    Chroma colour = Chroma::Zero();        ///< as told, by which it is found before that
+};
+
+/// Follows robots of any look through the frames of one view, by their silhouettes before a background that
+/// is known: the largest ones at first, and then those that are where the robots must be and of their size.
+/// Feed every frame in order. Not thread-safe; one tracker a view.
+class SilhouetteTracker
+{
+public:
+    /// floor: of a registered view, before which what is too large for a robot is none. others: how many
+    /// things besides are followed alike, for one of them may be the robot.
+    SilhouetteTracker(Background background, std::size_t robots, std::optional<FloorView> floor = {},
+                      std::size_t others = 0);
+    ~SilhouetteTracker();
+    SilhouetteTracker(const SilhouetteTracker &) = delete;
+    SilhouetteTracker &operator=(const SilhouetteTracker &) = delete;
+
+    /// A newer background of the same place; the robots are followed on.
+    void setBackground(Background background);
+    /// One observation a robot, and then one of each other thing. Of a frame that holds a part of its picture
+    /// the rest is decoded. A frame that repeats the one before it gives the same observations again, marked
+    /// as such. elsewhere: where robots that are not followed here are seen in this frame, whose silhouettes
+    /// are left to them. cues: of each robot; none at all: all are of any look.
+    std::vector<Observation> track(const Frame &frame, std::span<const Observation> elsewhere = {},
+                                   std::span<const SilhouetteCue> cues = {});
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> m_impl;
+};
+
+/// How large something is at least that stands on the floor and fills a box of the picture, in metres.
+struct SizeOnFloor
+{
+    double widthM = 0;
+    /// The lesser of its depth, were it flat on the floor, and of its height, were it as thin as a wall: a
+    /// body of height H and depth L that is seen e below the horizontal has L + H/tan e and H + L·tan e.
+    double reachM = 0;
+};
+
+/// nullopt: its lower edge lies beyond the horizon. Pure.
+std::optional<SizeOnFloor> sizeOnFloor(const FloorView &view, const PixelRect &box);
+
+/// Whether it is too large for a robot: people are, while they stand or walk.
+bool isTooLargeForRobot(const FloorView &view, const PixelRect &box);
+
+} // namespace odo

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/trajectory/analyser.h"
+#include "core/trajectory/internal/body_outline.h"
+#include "core/trajectory/internal/floor_positions.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace odo {
+
+/// Which end of a body is its front: the axes of a run, which outlines tell modulo π, each turned by half a
+/// turn where needed so that the body turns on without a jump, and moves forward rather than backward over
+/// each stretch in which its axis was known throughout. Of a robot that moves only backward the rear is
+/// called its front, always alike. axes, sightings: of every observation of every view (trackAxis,
+/// placeBody).
+std::vector<std::vector<BodyAxis>> directedAxes(const std::vector<ViewTrack> &views,
+                                                const std::vector<std::vector<Sighting>> &sightings,
+                                                std::vector<std::vector<BodyAxis>> axes);
+
+/// The directions of a body that moves along its length, as wheels make it: at each observation of each view
+/// that of the motion, from the places within a fifth of a second around, or the end of the axis that is near
+/// it; unknown where it hardly moves. Guesses to begin with, where outlines do not tell the axis well.
+std::vector<std::vector<BodyAxis>> directionsOfMotion(const std::vector<ViewTrack> &views,
+                                                      const std::vector<std::vector<Sighting>> &sightings,
+                                                      const std::vector<std::vector<BodyAxis>> &axes);
+
+/// How a body moves at a time.
+struct BodyMotion
+{
+    double directionRad = 0; ///< of the velocity
+    double curvature = 0;    ///< of the path, 1/m; positive to the left
+};
+
+/// From the places within a quarter of a second around, of all views, each by a parabola over time. nullopt:
+/// too few, or it hardly moves. Pure.
+std::optional<BodyMotion> motionAt(const std::vector<std::vector<Sighting>> &sightings, Nanoseconds time);
+
+/// The body's axis at the time of every observation of every view, in their order: from the outlines of all
+/// views, smoothed over time together (as the point (cos 2α, sin 2α), which knows no jump at the half turn,
+/// by the Kalman smoother that serves the positions). σ is at least that of the doubt about the outlines,
+/// which does not average out. Where no outline tells, σ is larger than unknownAxisSigmaRad. Views that are
+/// not registered give nothing.
+std::vector<std::vector<BodyAxis>> trackAxis(const std::vector<ViewTrack> &views, const SolidShape &shape);
+
+/// Where a body stood at a time, and its direction.
+struct BodyPose
+{
+    Nanoseconds time{0}; ///< of the first view's clock
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();
+    double headingRad = 0;
+};
+
+/// The same of a solid whose two ends differ, as the supports of its outlines tell it (placeBySupport):
+/// followed from observation to observation, from the poses that are known, of which there is at least one,
+/// in order. Directions modulo 2π.
+std::vector<std::vector<BodyAxis>> trackDirection(const std::vector<ViewTrack> &views,
+                                                  const SolidShape &shape,
+                                                  const OutlineDifference &difference,
+                                                  const std::vector<BodyPose> &poses);
+
+/// Angles of half a turn that a body's axis is searched at.
+constexpr std::size_t axisBins = 48;
+double angleOfBin(std::size_t bin);
+
+/// How badly each angle explains an outline: squared misfit in σ².
+using AxisCosts = std::array<float, axisBins>;
+
+/// One time of a run: what an outline says of the axis, or nothing.
+struct AxisEvidence
+{
+    double timeS = 0;
+    std::optional<AxisCosts> costs;
+};
+
+/// The angles of the likeliest turning through all times (Viterbi 1967): an outline seen face on fits two
+/// angles mirrored about it nearly as well, and only what comes before and after tells which. A body turns at
+/// some 4 rad/s (σ); an outline costs at most 25, so that a wrong one is overruled. One bin for each of
+/// `times` times, whose evidence is asked for once each, in their order.
+std::vector<std::uint8_t> likeliestPath(std::size_t times,
+                                        const std::function<AxisEvidence(std::size_t)> &evidenceAt);
+
+} // namespace odo

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/floor_view.h"
+#include "core/tracking/observation.h"
+#include "core/trajectory/analyser.h"
+#include "core/trajectory/internal/body_outline.h"
+
+#include <vector>
+
+namespace odo {
+
+/// What one view says of the robot's place at one time of the first view's clock.
+struct Sighting
+{
+    Nanoseconds time{0}; ///< since the first view's first frame
+    bool seen =
+        false; ///< false: not found, a repeated picture, or beyond the horizon; place is then meaningless
+    bool duplicate = false; ///< found, but the picture repeats the one before: its time is not known
+    bool cut = false;       ///< cut by the picture's edge: the centre is biased
+    bool ofOutline = false; ///< of what differs from the background, and not of a colour
+    double score = 0;
+    FloorPosition place{};
+};
+
+/// One view's observations laid on the plane z = planeM (the silhouette's centre of a box or cylinder of
+/// height h is, to first order, the picture of its centre: planeM = h/2). The view must be registered.
+/// Observations without a usable covariance are given half a pixel. What may last in all outlines of a run
+/// goes into the calibration's part of the covariance.
+std::vector<Sighting> placeObservations(const ViewTrack &view, double planeM);
+
+/// What is known of a solid's outlines, and what is not known of it.
+struct SolidDoubt
+{
+    OutlineDifference outlines = {}; ///< that are measured by their support
+    double unexplainedPx = 0;        ///< what it leaves of the outlines' centroids over parts of a run
+    double forwardM = 0, leftM = 0;  ///< where the place is in it
+};
+
+/// Each view's observations, each laid where the solid must stand, turned as `axes` says at its time, that
+/// its silhouette has the support (placeBySupport) or else the centroid that was seen: positions of the
+/// footprint's centre. The axis's σ goes into the pixels' part. An outline whose area is not that of the
+/// solid (but for the few per cent by which a view may see it larger or smaller throughout) shows a part of
+/// the robot, or more than the robot: its score becomes 0. Views that are not registered give nothing. The
+/// doubt about the solid goes into the calibration's part of the covariance, for it lasts.
+std::vector<std::vector<Sighting>> placeBody(const std::vector<ViewTrack> &views, const SolidShape &shape,
+                                             const std::vector<std::vector<BodyAxis>> &axes,
+                                             const SolidDoubt &doubt = {});
+
+/// The median distance between successive sightings' times, seen or not; 0 for fewer than two.
+Nanoseconds typicalInterval(const std::vector<Sighting> &sightings);
+
+/// Which observations are of a picture that repeats the one before it though it was coded anew, so that its
+/// bytes differ: the robot stands still to a few hundredths of a pixel for one to four frames, and then is
+/// where its motion before and after puts it, having caught up what it missed. No robot stops and leaps like
+/// that; one that really rests does not catch up. Only a robot that moves by most of a pixel a frame can
+/// tell. As long as the observations; pure.
+std::vector<bool> repeatedPictures(const std::vector<Observation> &observations);
+
+} // namespace odo

@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trajectory/internal/name_evidence.h"
+
+#include "core/base/percentile.h"
+#include "core/base/units.h"
+#include "core/geometry/silhouette.h"
+#include "core/tracking/chroma.h"
+#include "core/trajectory/view_clock.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+namespace odo {
+
+namespace {
+
+constexpr double leastScore = 0.2;
+constexpr std::size_t leastFrames = 3, framesOfVelocity = 6;
+constexpr double mostLinkCost = 12.0;
+constexpr double accelerationRadii = 16.0; ///< per s²: 2 m/s² of a robot whose circle has a radius of 0.12 m
+constexpr double placeSigmaRadii = 0.3, speedSigmaRadii = 0.5;
+
+Tracklet::End endAt(const std::vector<Observation> &observations, std::size_t at, std::size_t inner,
+                    const ViewClock &clock)
+{
+    const Observation &outermost = observations[at], &other = observations[inner];
+    Tracklet::End end;
+    end.timeS = toSeconds(clock.commonTime(outermost.time));
+    end.positionPx = outermost.ellipse.centrePx;
+    const double dt = toSeconds(outermost.time) - toSeconds(other.time);
+    if (dt != 0)
+        end.velocityPxPerS = (outermost.ellipse.centrePx - other.ellipse.centrePx) / dt;
+    end.radiusPx = std::sqrt(std::max(1.0, outermost.areaPx) / std::numbers::pi);
+    return end;
+}
+
+Tracklet trackletOf(const std::vector<Observation> &observations, std::size_t first, std::size_t last,
+                    const ViewClock &clock)
+{
+    Tracklet tracklet{first, last, {}, {}, {}};
+    tracklet.begin = endAt(observations, first, std::min(last, first + framesOfVelocity), clock);
+    tracklet.end =
+        endAt(observations, last, std::max(first + framesOfVelocity, last) - framesOfVelocity, clock);
+    double coloured = 0;
+    for (std::size_t i = first; i <= last; ++i) {
+        const Eigen::Vector2d &chroma = observations[i].meanChroma;
+        if (chroma.isZero())
+            continue;
+        tracklet.meanChroma += chroma;
+        coloured += 1;
+    }
+    if (coloured > 0)
+        tracklet.meanChroma /= coloured;
+    return tracklet;
+}
+
+} // namespace
+
+bool isSure(const Observation &observation)
+{
+    return observation.found && observation.score >= leastScore && observation.ellipse.centrePx.allFinite();
+}
+
+std::vector<Tracklet> cutIntoTracklets(const std::vector<Observation> &observations, const ViewClock &clock)
+{
+    std::vector<Tracklet> tracklets;
+    for (std::size_t i = 0; i < observations.size(); ++i) {
+        const std::size_t first = i;
+        while (i < observations.size() && isSure(observations[i]))
+            ++i;
+        if (i >= first + leastFrames)
+            tracklets.push_back(trackletOf(observations, first, i - 1, clock));
+    }
+    return tracklets;
+}
+
+double costOfJoining(const Tracklet::End &end, const Tracklet::End &begin)
+{
+    const double dt = std::max(0.0, begin.timeS - end.timeS);
+    const double radius = std::max(1.0, std::min(end.radiusPx, begin.radiusPx));
+    const double placeSigma = radius * (placeSigmaRadii + 0.25 * accelerationRadii * dt * dt);
+    const double speedSigma = radius * (speedSigmaRadii + accelerationRadii * dt);
+    const Eigen::Vector2d halfway = (begin.positionPx - 0.5 * dt * begin.velocityPxPerS) -
+                                    (end.positionPx + 0.5 * dt * end.velocityPxPerS);
+    const Eigen::Vector2d change = begin.velocityPxPerS - end.velocityPxPerS;
+    return std::min(mostLinkCost, 0.5 * (halfway.squaredNorm() / (placeSigma * placeSigma) +
+                                         change.squaredNorm() / (speedSigma * speedSigma)));
+}
+
+namespace {
+
+constexpr double momentStepS = 0.05;
+constexpr double longestInterpolationS = 0.12;
+// of what stands still; what goes all the time and as far is as likely a robot as can be
+constexpr double leastLikeness = 0.15, wayOfRobotM = 1;
+constexpr double likenessAtBorder = 0.3;
+constexpr double secondPlaneM = 0.1; ///< any height: a ray moves on a straight line through the planes
+
+/// The side of a square of what is seen, were it upright over its place on the floor, m; 0 beyond the
+/// horizon.
+double sizeOf(const FloorView &view, const Observation &seen)
+{
+    constexpr double besidePx = 4;
+    const Eigen::Vector2d aside(besidePx, 0);
+    const auto left = view.floorFromPixel(seen.ellipse.centrePx - aside, 0),
+               right = view.floorFromPixel(seen.ellipse.centrePx + aside, 0);
+    return left && right ? std::sqrt(seen.areaPx) * (*right - *left).norm() / (2 * besidePx) : 0;
+}
+
+/// Walks along one slot's observations in step with time.
+class SlotReader
+{
+public:
+    SlotReader(const NamedView &view, const std::vector<Observation> &observations)
+        : m_view(view), m_observations(observations)
+    {
+    }
+
+    /// Times must not go back.
+    FloorSight at(double timeS)
+    {
+        while (m_next < m_observations.size() && timeOf(m_next) <= timeS)
+            ++m_next;
+        if (m_next == 0 || m_next >= m_observations.size())
+            return {};
+        const Observation &before = m_observations[m_next - 1], &behind = m_observations[m_next];
+        const double interval = timeOf(m_next) - timeOf(m_next - 1);
+        if (!isSure(before) || !isSure(behind) || interval > longestInterpolationS || interval <= 0)
+            return {};
+        const double part = (timeS - timeOf(m_next - 1)) / interval;
+        const Eigen::Vector2d pixel = (1 - part) * before.ellipse.centrePx + part * behind.ellipse.centrePx;
+        const auto low = m_view.floorView->floorFromPixel(pixel, 0),
+                   high = m_view.floorView->floorFromPixel(pixel, secondPlaneM);
+        if (!low || !high)
+            return {};
+        return {true, {}, *low, (*high - *low) / secondPlaneM, sizeOf(*m_view.floorView, before)};
+    }
+
+private:
+    double timeOf(std::size_t i) const { return toSeconds(odo::timeOf(m_view, m_observations[i])); }
+
+    const NamedView &m_view;
+    const std::vector<Observation> &m_observations;
+    std::size_t m_next = 0;
+};
+
+std::vector<FloorMoment> gatherMoments(const std::vector<NamedView> &views,
+                                       const std::vector<std::size_t> &considered,
+                                       const std::vector<std::size_t> &slots)
+{
+    double beginS = 1e300, endS = -1e300;
+    std::vector<std::vector<SlotReader>> readers(views.size());
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        const auto &any = views[v].robots[considered.front()];
+        if (!views[v].floorView || any.empty())
+            continue;
+        beginS = std::min(beginS, toSeconds(timeOf(views[v], any.front())));
+        endS = std::max(endS, toSeconds(timeOf(views[v], any.back())));
+        for (std::size_t slot = 0; slot < slots[v]; ++slot)
+            readers[v].emplace_back(views[v], observationsOf(views[v], considered, slot));
+    }
+    std::vector<FloorMoment> moments;
+    for (double timeS = beginS; timeS <= endS; timeS += momentStepS) {
+        FloorMoment moment{timeS, std::vector<std::vector<FloorSight>>(views.size())};
+        int viewsThatSee = 0;
+        for (std::size_t v = 0; v < views.size(); ++v) {
+            bool any = false;
+            for (SlotReader &reader : readers[v]) {
+                moment.sights[v].push_back(reader.at(timeS));
+                any |= moment.sights[v].back().seen;
+            }
+            viewsThatSee += any ? 1 : 0;
+        }
+        if (viewsThatSee > 1)
+            moments.push_back(std::move(moment));
+    }
+    return moments;
+}
+
+struct PlaceAtTime
+{
+    double timeS = 0;
+    Eigen::Vector2d placeM;
+};
+
+/// Of the times at which something was seen, the share at which it had moved on within the second before.
+double shareInMotion(const std::vector<PlaceAtTime> &way)
+{
+    constexpr double longestS = 1, leastMps = 0.02, leastM = 0.01; // less is what an outline does that stands
+    std::size_t moving = 0, from = 0;
+    for (const PlaceAtTime &now : way) {
+        while (now.timeS - way[from].timeS > longestS)
+            ++from;
+        const double goneM = (now.placeM - way[from].placeM).norm();
+        moving += goneM > leastM && goneM > leastMps * (now.timeS - way[from].timeS) ? 1 : 0;
+    }
+    return way.empty() ? 0 : double(moving) / double(way.size());
+}
+
+/// Robots drive over the floor within the picture; people stand beside it, a ball comes to rest, hands reach
+/// in over its edge.
+TrackletOf judged(TrackletOf one, const NamedView &view, const std::vector<Observation> &observations)
+{
+    Eigen::AlignedBox2d visited;
+    std::vector<double> sizes;
+    std::vector<PlaceAtTime> way;
+    double atBorder = 0;
+    const double frames = double(one.tracklet.last - one.tracklet.first + 1);
+    for (std::size_t i = one.tracklet.first; i <= one.tracklet.last; ++i) {
+        const Observation &seen = observations[i];
+        atBorder += seen.touchesBorder ? 1 / frames : 0;
+        const auto place =
+            view.floorView ? view.floorView->floorFromPixel(seen.ellipse.centrePx, 0) : std::nullopt;
+        if (!place)
+            continue;
+        visited.extend(*place);
+        way.push_back({toSeconds(seen.time), *place});
+        sizes.push_back(sizeOf(*view.floorView, seen));
+    }
+    const double movedM = visited.isEmpty() ? 0 : visited.diagonal().norm();
+    const double moves =
+        leastLikeness + (1 - leastLikeness) * std::min(1.0, movedM / wayOfRobotM) * shareInMotion(way);
+    one.likeness = moves * (1 - (1 - likenessAtBorder) * atBorder);
+    one.sizeM = sizes.empty() ? 0 : upperMedian(std::move(sizes));
+    return one;
+}
+
+/// Tells of all sights that saw something which tracklet they show.
+void addTracklets(NameEvidence &evidence)
+{
+    std::size_t next = 0;
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> newest; // of each view and slot
+    for (FloorMoment &moment : evidence.moments) {
+        for (; next < evidence.tracklets.size() &&
+               evidence.tracklets[next].tracklet.begin.timeS <= moment.timeS;
+             ++next)
+            newest[{evidence.tracklets[next].view, evidence.tracklets[next].slot}] = next;
+        for (const auto &[place, index] : newest) {
+            const auto &[view, slot] = place;
+            if (slot < moment.sights[view].size() && moment.sights[view][slot].seen &&
+                evidence.tracklets[index].tracklet.end.timeS >= moment.timeS)
+                moment.sights[view][slot].tracklet = index;
+        }
+    }
+}
+
+/// Whether an outline holds a pixel, or nearly so.
+bool holds(const Observation &seen, const Eigen::Vector2d &pixel)
+{
+    constexpr double besidePx = 4;
+    return seen.found && !seen.supportPx.empty() &&
+           isWithinSupport(seen.supportPx, seen.ellipse.centrePx, pixel, besidePx);
+}
+
+/// Marks the tracklets that a person pointed out: of several that hold the place the one of the smallest
+/// thing.
+void addPointedOut(const std::vector<NamedView> &views, const std::vector<std::size_t> &considered,
+                   NameEvidence &evidence)
+{
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        for (std::size_t i = 0; i < views[v].pointedOut.size(); ++i) {
+            const PointedOut &told = views[v].pointedOut[i];
+            const auto name = std::ranges::find(considered, told.robot);
+            if (name == considered.end())
+                continue;
+            TrackletOf *own = nullptr;
+            double leastPx = HUGE_VAL;
+            for (TrackletOf &one : evidence.tracklets) {
+                if (one.view != v)
+                    continue;
+                const auto &observations = observationsOf(views[v], considered, one.slot);
+                const auto at = std::ranges::find(observations, told.frame, &Observation::frame);
+                const auto index = static_cast<std::size_t>(at - observations.begin());
+                if (index < one.tracklet.first || index > one.tracklet.last || !holds(*at, told.pixel) ||
+                    at->areaPx >= leastPx)
+                    continue;
+                own = &one;
+                leastPx = at->areaPx;
+            }
+            if (own)
+                own->pointedOut = static_cast<std::size_t>(name - considered.begin());
+            else
+                evidence.nothingThere.emplace_back(v, i);
+        }
+    }
+}
+
+/// Mean of what all robots' hues together are off. It does not depend on who is who, as long as all are
+/// there.
+double hueShiftOf(const NamedView &view, const std::vector<std::size_t> &considered,
+                  const std::vector<std::optional<double>> &told)
+{
+    double sum = 0, count = 0;
+    const std::size_t frames = view.robots[considered.front()].size();
+    for (std::size_t i = 0; i < frames; ++i) {
+        double shift = 0;
+        bool all = true;
+        for (std::size_t k = 0; all && k < considered.size(); ++k) {
+            const Observation &observation = view.robots[considered[k]][i];
+            all = told[k] && isSure(observation) && !observation.meanChroma.isZero();
+            shift += all ? hueDifference(hueOf(observation.meanChroma), *told[k]) : 0;
+        }
+        if (!all)
+            continue;
+        sum += shift / static_cast<double>(considered.size());
+        count += 1;
+    }
+    return count > 0 ? sum / count : 0;
+}
+
+} // namespace
+
+const std::vector<Observation> &observationsOf(const NamedView &view,
+                                               const std::vector<std::size_t> &considered, std::size_t slot)
+{
+    return slot < considered.size() ? view.robots[considered[slot]] : view.others[slot - considered.size()];
+}
+
+std::optional<double> toldHue(const NamedRobot &robot)
+{
+    return robot.colour ? std::optional(hueOf(chromaOf(*robot.colour, FrameFormat{}))) : std::nullopt;
+}
+
+double hueOf(const Eigen::Vector2d &chroma)
+{
+    return std::atan2(chroma.y(), chroma.x());
+}
+
+double hueDifference(double a, double b)
+{
+    return std::remainder(a - b, 2 * std::numbers::pi);
+}
+
+NameEvidence gatherEvidence(const std::vector<NamedView> &views, const std::vector<NamedRobot> &robots,
+                            const std::vector<std::size_t> &considered)
+{
+    NameEvidence evidence;
+    for (const std::size_t robot : considered)
+        evidence.toldHueRad.push_back(toldHue(robots[robot]));
+    const bool ofAnyLook = std::ranges::none_of(evidence.toldHueRad, &std::optional<double>::has_value);
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        evidence.slots.push_back(considered.size() + (ofAnyLook ? views[v].others.size() : 0));
+        for (std::size_t slot = 0; slot < evidence.slots[v]; ++slot) {
+            const auto &observations = observationsOf(views[v], considered, slot);
+            for (const Tracklet &tracklet : cutIntoTracklets(observations, clockOf(views[v])))
+                evidence.tracklets.push_back(judged({v, slot, tracklet}, views[v], observations));
+        }
+        evidence.hueShiftRad.push_back(hueShiftOf(views[v], considered, evidence.toldHueRad));
+    }
+    std::stable_sort(evidence.tracklets.begin(), evidence.tracklets.end(),
+                     [](const TrackletOf &a, const TrackletOf &b) {
+                         return a.tracklet.begin.timeS < b.tracklet.begin.timeS;
+                     });
+    addPointedOut(views, considered, evidence);
+    evidence.moments = gatherMoments(views, considered, evidence.slots);
+    addTracklets(evidence);
+    return evidence;
+}
+
+} // namespace odo

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/trajectory/analyser.h"
+#include "core/trajectory/internal/fused_track.h"
+#include "core/trajectory/internal/kalman_smoother.h"
+
+#include <vector>
+
+namespace odo {
+
+/// What is known of the motion once the spikes are told apart from it.
+struct SpikeVerdict
+{
+    MotionNoise noise;        ///< of what remains, with the slow part of the measurement's
+    MotionNoise searchNoise;  ///< with which the spikes were searched
+    std::vector<bool> struck; ///< of each sample: a blow changed the velocity before it
+};
+
+/// Sets Jump, with SpeedLimit and AccelerationLimit as further reasons, on samples that no robot's motion
+/// explains (searchSpikes, with the noise learnt from the run itself; Hampel's identifier gives the first
+/// guess), and on those that Hampel's identifier on position or speed tells and that lie beyond their noise
+/// from the smoothed track of all; AccelerationLimit alone on those that break a limit of the task
+/// (refuseBeyondTask). Samples that a person has judged (ByHand) are left as they are. A collision, a start
+/// and a bounce are motions.
+SpikeVerdict flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &options,
+                        const MeasurementNoise &measurement = {});
+
+/// The same with both noises known, from another part of the track: one search. Gives the samples that were
+/// struck.
+std::vector<bool> flagSpikesKnowing(const SpikeVerdict &known, std::vector<Sample> &samples,
+                                    const AnalysisOptions &options);
+
+/// The flagged measurements in words with figures, e.g. "jump of 212 mm; stands out in position and speed".
+/// Times without a measurement (lost,
+/// repeated pictures) are gaps, not spikes, and are not listed. points: the profile of the same samples.
+std::vector<Spike> describeSpikes(const FusedTrack &track, const std::vector<ProfilePoint> &points,
+                                  Nanoseconds longestGap);
+
+} // namespace odo

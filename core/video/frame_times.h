@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/units.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+/// How far apart the pictures of a video are.
+struct FrameSpacing
+{
+    /// the mean of all intervals within 10 % of their median; 0 of fewer than two pictures
+    Nanoseconds usual{0};
+    bool isVariable = false; ///< some are not within that
+};
+FrameSpacing spacingOf(const std::vector<Nanoseconds> &frameTimes);
+
+/// The shortest and the longest interval of a camera that takes its pictures unevenly, as phones do: at least
+/// one interval in twenty is off a whole number of the usual ones by more than a tenth. Nothing where they
+/// are even, though some may be missing.
+struct UnevenRate
+{
+    Nanoseconds shortest{0}, longest{0};
+};
+std::optional<UnevenRate> unevenRate(const std::vector<Nanoseconds> &frameTimes);
+
+/// The same as one sentence of a warning; empty where they are even.
+std::string unevenRateWords(const std::vector<Nanoseconds> &frameTimes);
+
+/// A camera's clock was read: what it showed, and the times of this machine's steady clock between which it
+/// did.
+struct ClockReading
+{
+    Nanoseconds device{0}, before{0}, after{0};
+};
+
+/// A recorded picture's own times, from which the time it was taken is derived.
+struct RawTime
+{
+    std::uint64_t sequence = 0; ///< the camera's count
+    Nanoseconds device{0};      ///< by the camera's clock
+    Nanoseconds arrival{0};     ///< by this machine's steady clock
+};
+
+/// The times of pictures in the order of the file, and the readings of the camera's clock that came with
+/// them.
+struct RecordedTimes
+{
+    std::vector<RawTime> pictures;
+    std::vector<ClockReading> readings;
+};
+
+} // namespace odo

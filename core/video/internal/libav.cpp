@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/video/internal/libav.h"
+
+#include <cstring>
+#include <mutex>
+#include <system_error>
+#include <type_traits>
+
+namespace odo::libav {
+
+namespace {
+
+template <class Enumeration>
+void forgetUnknown(Enumeration &stated, Enumeration end, Enumeration notStated)
+{
+    std::underlying_type_t<Enumeration> number{};
+    std::memcpy(&number, &stated, sizeof number);
+    if (number >= end)
+        stated = notStated;
+}
+
+} // namespace
+
+void forgetUnknownColours(AVCodecParameters &parameters)
+{
+    forgetUnknown(parameters.color_range, AVCOL_RANGE_NB, AVCOL_RANGE_UNSPECIFIED);
+    forgetUnknown(parameters.color_space, AVCOL_SPC_NB, AVCOL_SPC_UNSPECIFIED);
+    forgetUnknown(parameters.chroma_location, AVCHROMA_LOC_NB, AVCHROMA_LOC_UNSPECIFIED);
+}
+
+int checked(int answer)
+{
+    if (answer == AVERROR(ENOMEM))
+        throw std::bad_alloc();
+    if (answer == AVERROR(EMFILE) || answer == AVERROR(ENFILE))
+        throw std::system_error(AVUNERROR(answer), std::generic_category());
+    return answer;
+}
+
+std::string errorText(int error)
+{
+    char text[AV_ERROR_MAX_STRING_SIZE] = {};
+    av_strerror(error, text, sizeof text);
+    return text;
+}
+
+void quieten()
+{
+    static std::once_flag once;
+    std::call_once(once, [] { av_log_set_level(AV_LOG_QUIET); });
+}
+
+} // namespace odo::libav

@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/video/internal/stream_format.h"
+
+#include "core/video/jpeg.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <vector>
+extern "C" {
+#include <libavutil/pixdesc.h>
+}
+
+namespace odo {
+
+namespace {
+
+constexpr std::uint8_t neutralChroma = 128;
+
+bool isFullRange(AVPixelFormat pixelFormat, const AVCodecParameters &parameters)
+{
+    if (parameters.color_range != AVCOL_RANGE_UNSPECIFIED)
+        return parameters.color_range == AVCOL_RANGE_JPEG;
+    return pixelFormat == AV_PIX_FMT_YUVJ420P || pixelFormat == AV_PIX_FMT_YUVJ422P ||
+           pixelFormat == AV_PIX_FMT_YUVJ440P || pixelFormat == AV_PIX_FMT_YUVJ444P ||
+           parameters.codec_id == AV_CODEC_ID_MJPEG;
+}
+
+YuvMatrix matrixOf(const AVCodecParameters &parameters)
+{
+    switch (parameters.color_space) {
+    case AVCOL_SPC_BT709:
+    case AVCOL_SPC_BT2020_NCL:
+    case AVCOL_SPC_BT2020_CL:
+        return YuvMatrix::Bt709; // BT.2020 is nearer to it than to BT.601
+    case AVCOL_SPC_UNSPECIFIED:
+        break;
+    default:
+        return YuvMatrix::Bt601;
+    }
+    // Unsaid: JPEG is BT.601 by definition (JFIF); otherwise high definition is BT.709, as players take it.
+    const bool highDefinition = parameters.width >= 1280 || parameters.height > 576;
+    return highDefinition && parameters.codec_id != AV_CODEC_ID_MJPEG ? YuvMatrix::Bt709 : YuvMatrix::Bt601;
+}
+
+ChromaSiting sitingOf(AVChromaLocation location)
+{
+    switch (location) {
+    case AVCHROMA_LOC_LEFT:
+        return ChromaSiting::Left;
+    case AVCHROMA_LOC_CENTER:
+        return ChromaSiting::Center;
+    case AVCHROMA_LOC_TOPLEFT:
+        return ChromaSiting::TopLeft;
+    default:
+        return ChromaSiting::Unknown;
+    }
+}
+
+ChromaSiting sitingOf(const VideoInput &input)
+{
+    const AVCodecParameters &parameters = *input.stream().codecpar;
+    if (parameters.codec_id == AV_CODEC_ID_MJPEG) {
+        // JFIF's, unless the container says otherwise, as of a camera's own samples.
+        const ChromaSiting told = sitingOf(input.containerChromaLocation());
+        return told == ChromaSiting::Unknown ? ChromaSiting::Center : told;
+    }
+    if (parameters.codec_id != AV_CODEC_ID_H264)
+        return sitingOf(parameters.chroma_location);
+    // libav says "left" for H.264 whether the stream said so or nothing at all; cameras that say nothing
+    // often mean something else, so that is kept apart.
+    const auto stated = h264ChromaLocation(
+        {parameters.extradata, static_cast<std::size_t>(std::max(0, parameters.extradata_size))});
+    return sitingOf(stated ? static_cast<AVChromaLocation>(*stated + 1) : input.containerChromaLocation());
+}
+
+/// The memory of chroma planes that the decoder did not give as such.
+struct OwnChroma
+{
+    libav::FramePtr picture;
+    std::vector<std::uint8_t> u, v;
+};
+
+Frame withNeutralChroma(libav::FramePtr picture, Frame frame, int width, int height)
+{
+    auto own = std::make_shared<OwnChroma>();
+    own->picture = std::move(picture);
+    own->u.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), neutralChroma);
+    frame.u = frame.v = {own->u.data(), width, height, width};
+    frame.owner = std::move(own);
+    return frame;
+}
+
+Frame withChromaTakenApart(libav::FramePtr picture, Frame frame, int width, int height)
+{
+    auto own = std::make_shared<OwnChroma>();
+    own->u.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    own->v.resize(own->u.size());
+    std::size_t to = 0;
+    for (int y = 0; y < height; ++y) {
+        const std::uint8_t *row = picture->data[1] + static_cast<std::ptrdiff_t>(y) * picture->linesize[1];
+        for (int x = 0; x < width; ++x, ++to) {
+            own->u[to] = row[2 * x];
+            own->v[to] = row[2 * x + 1];
+        }
+    }
+    own->picture = std::move(picture);
+    frame.u = {own->u.data(), width, height, width};
+    frame.v = {own->v.data(), width, height, width};
+    frame.owner = std::move(own);
+    return frame;
+}
+
+} // namespace
+
+bool setChromaShifts(AVPixelFormat pixelFormat, FrameFormat &format)
+{
+    switch (pixelFormat) {
+    case AV_PIX_FMT_YUV420P:
+    case AV_PIX_FMT_YUVJ420P:
+    case AV_PIX_FMT_NV12:
+    case AV_PIX_FMT_GRAY8:
+        format.chromaShiftX = format.chromaShiftY = 1;
+        return true;
+    case AV_PIX_FMT_YUV422P:
+    case AV_PIX_FMT_YUVJ422P:
+        format.chromaShiftX = 1;
+        format.chromaShiftY = 0;
+        return true;
+    case AV_PIX_FMT_YUV440P:
+    case AV_PIX_FMT_YUVJ440P:
+        format.chromaShiftX = 0;
+        format.chromaShiftY = 1;
+        return true;
+    case AV_PIX_FMT_YUV444P:
+    case AV_PIX_FMT_YUVJ444P:
+        format.chromaShiftX = format.chromaShiftY = 0;
+        return true;
+    default:
+        return false;
+    }
+}
+
+Result<FrameFormat> streamFormat(const VideoInput &input)
+{
+    const AVCodecParameters &parameters = *input.stream().codecpar;
+    const auto pixelFormat = static_cast<AVPixelFormat>(parameters.format);
+    const std::string what = "cannot open the video " + input.file().string();
+    FrameFormat format;
+    format.width = parameters.width;
+    format.height = parameters.height;
+    if (format.width <= 0 || format.height <= 0)
+        return fail(ErrorCode::InvalidInput, what, "the size of its pictures could not be found out",
+                    "copy it from the camera again");
+    if (libav::isTooLarge(format.width, format.height))
+        return fail(ErrorCode::InvalidInput, what,
+                    "its pictures have more than 100 megapixels or 32000 pixels a side",
+                    "convert it to a smaller size");
+    if (!setChromaShifts(pixelFormat, format) || parameters.color_space == AVCOL_SPC_RGB ||
+        parameters.color_space == AVCOL_SPC_YCGCO) {
+        const char *name = av_get_pix_fmt_name(pixelFormat);
+        return fail(ErrorCode::InvalidInput, what,
+                    std::string("its pixel format ") + (name ? name : "(unknown)") + " is not read",
+                    "convert it to 8-bit YUV, e.g. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4");
+    }
+    format.fullRange = isFullRange(pixelFormat, parameters);
+    format.matrix = matrixOf(parameters);
+    format.siting = sitingOf(input);
+    return format;
+}
+
+void judgeByMost(const std::vector<std::vector<std::uint8_t>> &jpegs, FrameFormat &format,
+                 AVPixelFormat &pixelFormat)
+{
+    const auto layoutOf = [](const FrameFormat &of) {
+        return std::array{of.width, of.height, of.chromaShiftX, of.chromaShiftY};
+    };
+    std::map<std::array<int, 4>, std::size_t> votes;
+    for (const auto &jpeg : jpegs) {
+        if (const auto said = jpegFormat(jpeg))
+            ++votes[layoutOf(*said)];
+    }
+    const auto most = std::ranges::max_element(votes, {}, [](const auto &vote) { return vote.second; });
+    if (most == votes.end() || 2 * most->second <= jpegs.size() || most->first == layoutOf(format))
+        return;
+    const auto [width, height, shiftX, shiftY] = most->first;
+    if (libav::isTooLarge(width, height))
+        return;
+    format.width = width;
+    format.height = height;
+    format.chromaShiftX = shiftX;
+    format.chromaShiftY = shiftY;
+    pixelFormat = shiftX == 0 ? (shiftY == 0 ? AV_PIX_FMT_YUVJ444P : AV_PIX_FMT_YUVJ440P)
+                              : (shiftY == 0 ? AV_PIX_FMT_YUVJ422P : AV_PIX_FMT_YUVJ420P);
+}
+
+bool fits(const AVFrame &picture, const FrameFormat &format, AVPixelFormat pixelFormat)
+{
+    return picture.width == format.width && picture.height == format.height && picture.format == pixelFormat;
+}
+
+Frame frameOf(libav::FramePtr picture, const FrameFormat &format)
+{
+    Frame frame;
+    frame.format = format;
+    frame.y = {picture->data[0], format.width, format.height, picture->linesize[0]};
+    const int chromaWidth = AV_CEIL_RSHIFT(format.width, format.chromaShiftX);
+    const int chromaHeight = AV_CEIL_RSHIFT(format.height, format.chromaShiftY);
+    if (picture->format == AV_PIX_FMT_GRAY8)
+        return withNeutralChroma(std::move(picture), frame, chromaWidth, chromaHeight);
+    if (picture->format == AV_PIX_FMT_NV12)
+        return withChromaTakenApart(std::move(picture), frame, chromaWidth, chromaHeight);
+    frame.u = {picture->data[1], chromaWidth, chromaHeight, picture->linesize[1]};
+    frame.v = {picture->data[2], chromaWidth, chromaHeight, picture->linesize[2]};
+    frame.owner = std::shared_ptr<const AVFrame>(picture.release(), libav::Delete());
+    return frame;
+}
+
+namespace {
+
+using Bytes = std::span<const std::uint8_t>;
+
+/// Reads a raw byte sequence payload bit by bit; beyond its end it gives zeros and remembers.
+class BitReader
+{
+public:
+    explicit BitReader(Bytes data)
+    {
+        // Emulation prevention: 00 00 03 stands for 00 00 (§7.4.1).
+        int zeros = 0;
+        for (const std::uint8_t byte : data) {
+            if (zeros >= 2 && byte == 3) {
+                zeros = 0;
+                continue;
+            }
+            zeros = byte == 0 ? zeros + 1 : 0;
+            m_bytes.push_back(byte);
+        }
+    }
+    unsigned bits(int count)
+    {
+        unsigned value = 0;
+        for (int i = 0; i < count; ++i)
+            value = value << 1 | bit();
+        return value;
+    }
+    bool flag() { return bit() != 0; }
+    /// Exp-Golomb, unsigned (§9.1). A signed one has the same length, and none of their values is needed
+    /// here.
+    unsigned golomb()
+    {
+        int zeros = 0;
+        while (!exhausted() && bit() == 0)
+            ++zeros;
+        return zeros > 31 ? 0 : (1U << zeros) - 1 + bits(zeros);
+    }
+    bool exhausted() const { return m_at > m_bytes.size() * 8; }
+
+private:
+    unsigned bit()
+    {
+        const std::size_t at = m_at++;
+        return at / 8 < m_bytes.size() ? m_bytes[at / 8] >> (7 - at % 8) & 1U : 0U;
+    }
+    std::vector<std::uint8_t> m_bytes;
+    std::size_t m_at = 0;
+};
+
+constexpr unsigned sequenceParameterSet = 7;
+
+/// The payload of the first sequence parameter set after its header byte; empty when there is none.
+Bytes findParameterSet(Bytes data)
+{
+    if (data.size() > 8 &&
+        data[0] == 1) { // avcC: version, profile, compatibility, level, lengths, count, size
+        const std::size_t size = static_cast<std::size_t>(data[6]) << 8 | data[7];
+        return (data[5] & 0x1f) > 0 && size > 1 && 8 + size <= data.size() ? data.subspan(9, size - 1)
+                                                                           : Bytes();
+    }
+    for (std::size_t i = 0; i + 4 < data.size(); ++i)
+        if (data[i] == 0 && data[i + 1] == 0 && data[i + 2] == 1 &&
+            (data[i + 3] & 0x1f) == sequenceParameterSet)
+            return data.subspan(i + 4);
+    return {};
+}
+
+void skipScalingList(BitReader &reader, int size)
+{
+    unsigned last = 8, next = 8;
+    for (int i = 0; i < size && !reader.exhausted(); ++i) {
+        if (next != 0) {
+            const unsigned code = reader.golomb();
+            // of any size where the file is damaged
+            const unsigned delta = code % 2 == 1 ? code / 2 + 1 : 0U - code / 2;
+            next = (last + delta) % 256;
+        }
+        last = next == 0 ? last : next;
+    }
+}
+
+void skipHighProfileFields(BitReader &reader)
+{
+    const unsigned chromaFormat = reader.golomb();
+    if (chromaFormat == 3)
+        reader.flag();
+    reader.golomb(); // bit depths
+    reader.golomb();
+    reader.flag();
+    if (!reader.flag())
+        return;
+    for (int i = 0; i < (chromaFormat == 3 ? 12 : 8); ++i)
+        if (reader.flag())
+            skipScalingList(reader, i < 6 ? 16 : 64);
+}
+
+bool isHighProfile(unsigned profile)
+{
+    constexpr std::array high{100U, 110U, 122U, 244U, 44U, 83U, 86U, 118U, 128U, 138U, 139U, 134U, 135U};
+    return std::ranges::find(high, profile) != high.end();
+}
+
+/// Everything of the parameter set before vui_parameters_present_flag.
+void skipToVui(BitReader &reader)
+{
+    const unsigned profile = reader.bits(8);
+    reader.bits(16);
+    reader.golomb();
+    if (isHighProfile(profile))
+        skipHighProfileFields(reader);
+    reader.golomb(); // log2_max_frame_num
+    const unsigned orderType = reader.golomb();
+    if (orderType == 0) {
+        reader.golomb();
+    } else if (orderType == 1) {
+        reader.flag();
+        reader.golomb();
+        reader.golomb();
+        for (unsigned i = reader.golomb(); i > 0 && !reader.exhausted(); --i)
+            reader.golomb();
+    }
+    reader.golomb(); // reference frames
+    reader.flag();
+    reader.golomb(); // width
+    reader.golomb(); // height
+    if (!reader.flag())
+        reader.flag();
+    reader.flag();
+    if (reader.flag()) // cropping
+        for (int i = 0; i < 4; ++i)
+            reader.golomb();
+}
+
+} // namespace
+
+std::optional<unsigned> h264ChromaLocation(Bytes data)
+{
+    constexpr unsigned extendedAspect = 255;
+    BitReader reader(findParameterSet(data));
+    skipToVui(reader);
+    if (!reader.flag()) // vui_parameters_present_flag
+        return std::nullopt;
+    if (reader.flag() && reader.bits(8) == extendedAspect)
+        reader.bits(32);
+    if (reader.flag()) // overscan
+        reader.flag();
+    if (reader.flag()) { // video signal type
+        reader.bits(4);
+        if (reader.flag())
+            reader.bits(24);
+    }
+    if (!reader.flag()) // chroma_loc_info_present_flag
+        return std::nullopt;
+    const unsigned location = reader.golomb();
+    return reader.exhausted() || location > 5 ? std::nullopt : std::optional(location);
+}
+
+} // namespace odo

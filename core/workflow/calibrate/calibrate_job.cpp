@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/calibrate/calibrate_job.h"
+
+#include "core/calibration/intrinsic_calibration.h"
+#include "core/files/protected_files.h"
+#include "core/project/project.h"
+#include "core/project/records.h"
+#include "core/project/repositories.h"
+#include "core/video/picture_writer.h"
+#include "core/workflow/calibrate/calibration_pictures.h"
+#include "core/workflow/calibrate/cameras.h"
+
+#include <algorithm>
+
+namespace odo {
+
+CalibrationStorage::CalibrationStorage(const std::filesystem::path &mediaFolder, std::string camera,
+                                       IntrinsicCalibration calibration, const BoardSpec &board)
+    : m_media(mediaFolder), m_camera(std::move(camera))
+{
+    m_record.origin = "calibrated from " + std::to_string(calibration.picturesUsed()) + " pictures";
+    m_record.calibration = std::move(calibration);
+    m_record.board = board;
+    m_record.softwareVersion = ODOGRAPH_VERSION;
+}
+
+Result<void> CalibrationStorage::writePictures(const std::vector<BoardPicture> &pictures,
+                                               const JobControl &control)
+{
+    const auto &used = m_record.calibration.pictures;
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        if (control.isCancelled())
+            return cancelled("calibration of camera '" + m_camera + "'");
+        control.report(double(i) / double(used.size()), "keeping the pictures");
+        const auto picture = std::ranges::find(pictures, used[i].view.source, &BoardPicture::source);
+        m_record.files.emplace_back(); // those without a picture have none
+        if (picture == pictures.end())
+            continue;
+        const std::string name = m_camera + "_" + std::filesystem::path(used[i].view.source).stem().string();
+        auto written = m_media.write(name, picture->png);
+        if (!written)
+            return tl::unexpected(written.error());
+        m_record.files.back() = std::move(*written);
+    }
+    return {};
+}
+
+Result<IntrinsicsRecord> CalibrationStorage::commit(Project &project)
+{
+    const auto stored = project.note("calibrate camera " + m_camera, [&]() -> Result<void> {
+        const auto camera = findOrAddCamera(project, m_camera);
+        if (!camera)
+            return tl::unexpected(camera.error());
+        m_record.camera = camera->id;
+        m_record.made = instantNow();
+        auto added = project.cameras().addIntrinsics(m_record);
+        if (!added)
+            return tl::unexpected(added.error());
+        m_record = std::move(*added);
+        return {};
+    });
+    if (!stored)
+        return tl::unexpected(stored.error());
+    m_media.keep();
+    return m_record;
+}
+
+namespace {
+
+// A hand-held board moves little between neighbouring frames: they would only repeat one pose.
+constexpr int boardVideoStep = 15;
+constexpr std::size_t enoughVideoViews = 60;
+
+} // namespace
+
+CalibrateJob::CalibrateJob(CalibrateSettings settings) : m_settings(std::move(settings)) {}
+
+Result<void> CalibrateJob::prepare(Project &project)
+{
+    m_mediaFolder = project.mediaFolder();
+    for (const auto &file : m_settings.files) {
+        if (auto may = checkMayBeRead(file, '\'' + file.string() + '\''); !may)
+            return may;
+    }
+    return {};
+}
+
+Result<void> CalibrateJob::run(const JobControl &control)
+{
+    for (std::size_t i = 0; i < m_settings.files.size(); ++i) {
+        control.report(0.8 * double(i) / double(m_settings.files.size()),
+                       "looking for the board in " + m_settings.files[i].filename().string());
+        if (auto searched = searchFile(m_settings.files[i], control); !searched)
+            return searched;
+    }
+    if (m_views.empty()) {
+        const std::string why = m_rejected.empty() ? "no picture could be read" : m_rejected.front().reason;
+        return fail(ErrorCode::Undetermined, "calibration of camera '" + m_settings.camera + "'",
+                    "the board was found in none of " + std::to_string(m_rejected.size()) + " pictures (" +
+                        why + ")",
+                    "show the whole board, flat, sharp and evenly lit, and check --pattern and --board");
+    }
+    control.report(0.85, "computing the intrinsics");
+    auto calibration = calibrateIntrinsics(m_views, m_widthPx, m_heightPx, m_settings.model, control);
+    if (!calibration) {
+        Error error = calibration.error();
+        error.what = "calibration of camera '" + m_settings.camera + "'";
+        return tl::unexpected(error);
+    }
+    m_calibration = std::move(*calibration);
+    m_calibration.rejected.insert(m_calibration.rejected.begin(), m_rejected.begin(), m_rejected.end());
+    m_storage = std::make_unique<CalibrationStorage>(m_mediaFolder, m_settings.camera, m_calibration,
+                                                     m_settings.board);
+    auto written = m_storage->writePictures(m_pictures, control);
+    if (!written)
+        m_storage.reset();
+    return written;
+}
+
+Result<void> CalibrateJob::searchFile(const std::filesystem::path &file, const JobControl &control)
+{
+    const auto visited = visitPictures(
+        file, boardVideoStep,
+        [&](const Frame &frame, const std::string &name) {
+            searchPicture(frame, name);
+            return !control.isCancelled() && m_views.size() < enoughVideoViews + m_settings.files.size();
+        },
+        control.cancel);
+    if (control.isCancelled())
+        return cancelled("calibration of camera '" + m_settings.camera + "'");
+    // One unreadable picture among many is refused like one without a board; it must not cost the others.
+    if (!visited)
+        m_rejected.push_back({file.filename().string(), visited.error().why});
+    return {};
+}
+
+void CalibrateJob::searchPicture(const Frame &frame, const std::string &name)
+{
+    if (m_widthPx == 0) {
+        m_widthPx = frame.format.width;
+        m_heightPx = frame.format.height;
+    }
+    if (frame.format.width != m_widthPx || frame.format.height != m_heightPx) {
+        m_rejected.push_back({name, "it is " + std::to_string(frame.format.width) + "×" +
+                                        std::to_string(frame.format.height) + ", the first picture " +
+                                        std::to_string(m_widthPx) + "×" + std::to_string(m_heightPx)});
+        return;
+    }
+    auto view = findBoard(frame, m_settings.board, name);
+    if (!view) {
+        m_rejected.push_back({name, view.error().why});
+        return;
+    }
+    // What the first board turned out to be holds for the rest: it is one board, and a known size is found
+    // faster.
+    m_settings.board.pattern = view->pattern;
+    m_settings.board.columns = view->columns;
+    m_settings.board.rows = view->rows;
+    m_views.push_back(std::move(*view));
+    if (auto png = greyPng(frame))
+        m_pictures.push_back({name, std::move(*png)});
+}
+
+Result<void> CalibrateJob::commit(Project &project)
+{
+    const auto stored = m_storage->commit(project);
+    m_storage.reset(); // where it was not stored, its pictures go
+    if (!stored)
+        return tl::unexpected(stored.error());
+    return {};
+}
+
+} // namespace odo

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/job_control.h"
+#include "core/calibration/board_detection.h"
+#include "core/project/records.h"
+#include "core/workflow/calibrate/calibration_pictures.h"
+#include "core/workflow/job.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+class Project;
+
+/// A lens that was measured from a board, on its way to be its camera's newest intrinsics: first its
+/// pictures, which takes long, then its rows. Unless it is committed, its destructor leaves nothing behind.
+class CalibrationStorage
+{
+public:
+    /// board: as it was found out.
+    CalibrationStorage(const std::filesystem::path &mediaFolder, std::string camera,
+                       IntrinsicCalibration calibration, const BoardSpec &board);
+
+    /// Writes each picture beside the project that has the source of one of the calibration's. Any thread;
+    /// long. Errors: Io, Cancelled.
+    Result<void> writePictures(const std::vector<BoardPicture> &pictures, const JobControl &control);
+    /// The rows, in one transaction; the camera is made when there is none of that name. The project's
+    /// thread. Once.
+    Result<IntrinsicsRecord> commit(Project &project);
+
+private:
+    CalibrationMedia m_media;
+    const std::string m_camera;
+    IntrinsicsRecord m_record;
+};
+
+struct CalibrateSettings
+{
+    std::string camera;                       ///< made when the project has none of that name
+    std::vector<std::filesystem::path> files; ///< pictures and videos of the board
+    BoardSpec board;
+    std::optional<LensModel> model; ///< nullopt: the one that foretells best
+};
+
+/// Finds the board in pictures, computes a camera's intrinsics and stores them as its newest ones.
+class CalibrateJob : public Job
+{
+public:
+    explicit CalibrateJob(CalibrateSettings settings);
+    Result<void> prepare(Project &project) override;
+    Result<void> run(const JobControl &control) override;
+    Result<void> commit(Project &project) override;
+
+    const CalibrateSettings &settings() const { return m_settings; }
+    int picturesUsed() const { return static_cast<int>(m_views.size()); }
+    const IntrinsicCalibration &calibration() const { return m_calibration; } ///< after run
+
+private:
+    Result<void> searchFile(const std::filesystem::path &file, const JobControl &control);
+    void searchPicture(const Frame &frame, const std::string &name);
+
+    CalibrateSettings m_settings;
+    std::vector<BoardView> m_views;
+    std::vector<BoardPicture> m_pictures; ///< of the views
+    std::vector<RejectedPicture> m_rejected;
+    int m_widthPx = 0, m_heightPx = 0;
+    IntrinsicCalibration m_calibration;
+    std::filesystem::path m_mediaFolder;
+    std::unique_ptr<CalibrationStorage> m_storage;
+};
+
+} // namespace odo

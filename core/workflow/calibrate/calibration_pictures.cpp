@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/calibrate/calibration_pictures.h"
+
+#include "core/base/file_system.h"
+#include "core/base/sha256.h"
+#include "core/video/picture_reader.h"
+#include "core/video/picture_writer.h"
+#include "core/video/video_reader.h"
+#include "core/workflow/media_copy.h"
+
+#include <algorithm>
+#include <array>
+
+namespace odo {
+
+namespace {
+
+constexpr std::size_t mostBytes = 200'000'000;
+
+}
+
+CalibrationMedia::CalibrationMedia(const std::filesystem::path &mediaFolder)
+    : m_mediaFolder(mediaFolder), m_folder(mediaFolder / "calibration")
+{
+}
+
+CalibrationMedia::~CalibrationMedia()
+{
+    if (m_files.empty())
+        return;
+    m_files.clear();
+    for (const std::filesystem::path &folder : {m_folder, m_mediaFolder})
+        files::remove(folder); // only when empty
+}
+
+Result<StoredPicture> CalibrationMedia::write(const std::string &name, const std::vector<unsigned char> &png)
+{
+    if (png.empty() || m_bytes + png.size() > mostBytes)
+        return StoredPicture{};
+    auto file =
+        writeMediaFile(m_folder, name, ".png", {reinterpret_cast<const char *>(png.data()), png.size()},
+                       "calibration picture '" + name + "'");
+    if (!file)
+        return tl::unexpected(file.error());
+    const std::string path = files::absolute(file->path()).string();
+    m_files.push_back(std::move(*file));
+    m_bytes += png.size();
+    Sha256 hash;
+    hash.add(png.data(), png.size());
+    return StoredPicture{path, hash.hex(), static_cast<std::int64_t>(png.size())};
+}
+
+void CalibrationMedia::keep()
+{
+    for (ClaimedFile &file : m_files)
+        file.keep();
+    m_files.clear();
+}
+
+Result<StoredPicture> CalibrationMedia::writeFloor(const std::string &camera, const Frame &frame)
+{
+    const auto png = colourPng(frame);
+    return png ? write(camera + "_floor", *png) : tl::unexpected(png.error());
+}
+
+bool isStillPicture(const std::filesystem::path &file)
+{
+    static constexpr std::array<std::string_view, 8> endings = {".png", ".jpg",  ".jpeg", ".bmp",
+                                                                ".tif", ".tiff", ".webp", ".pgm"};
+    std::string ending = file.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
+Result<Frame> pictureOf(const std::filesystem::path &file, std::int64_t frame)
+{
+    const auto missing = [&](std::size_t frames) {
+        return fail(
+            ErrorCode::NotFound, "frame " + std::to_string(frame) + " of '" + file.filename().string() + "'",
+            "there is no such frame",
+            frames > 1 ? "choose one from 0 to " + std::to_string(frames - 1) : "its only one is frame 0");
+    };
+    if (isStillPicture(file)) {
+        if (frame != 0)
+            return missing(1);
+        return readPicture(file);
+    }
+    auto reader = VideoReader::open(file);
+    if (!reader)
+        return tl::unexpected(reader.error());
+    const std::size_t frames = (*reader)->info().frameTimes.size();
+    if (frame < 0 || frame >= static_cast<std::int64_t>(frames))
+        return missing(frames);
+    auto found = (*reader)->frameAt(frame);
+    return found ? wholeFrame(*found) : found;
+}
+
+Result<void> visitPictures(const std::filesystem::path &file, int videoStep,
+                           const std::function<bool(const Frame &, const std::string &)> &visit,
+                           const CancelToken &cancel)
+{
+    const std::string name = file.filename().string();
+    if (isStillPicture(file)) {
+        const auto picture = readPicture(file);
+        if (!picture)
+            return tl::unexpected(picture.error());
+        visit(*picture, name);
+        return {};
+    }
+    auto reader = VideoReader::open(file, cancel);
+    if (!reader)
+        return tl::unexpected(reader.error());
+    for (;;) {
+        const auto frame = (*reader)->next();
+        if (!frame)
+            return tl::unexpected(frame.error());
+        if (!*frame)
+            return {};
+        if ((*frame)->index % videoStep == 0 && !visit(**frame, name + "@" + std::to_string((*frame)->index)))
+            return {};
+    }
+}
+
+} // namespace odo

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/calibrate/cameras.h"
+
+#include "core/exchange/intrinsics_yaml.h"
+#include "core/project/project.h"
+#include "core/project/records.h"
+#include "core/project/repositories.h"
+
+namespace odo {
+
+Result<CameraRecord> findOrAddCamera(Project &project, const std::string &name)
+{
+    auto found = project.cameras().find(name);
+    if (found || found.error().code != ErrorCode::NotFound)
+        return found;
+    return project.cameras().add({0, name, ""});
+}
+
+Result<IntrinsicsRecord> importIntrinsics(Project &project, const std::string &camera,
+                                          const std::filesystem::path &file)
+{
+    auto intrinsics = readIntrinsics(file);
+    if (!intrinsics)
+        return tl::unexpected(intrinsics.error());
+    IntrinsicsRecord record;
+    record.made = instantNow();
+    record.origin = "imported from " + file.filename().string();
+    record.calibration.intrinsics = std::move(*intrinsics);
+    const auto stored = project.note(
+        "import the lens of camera " + camera + " from " + file.filename().string(), [&]() -> Result<void> {
+            const auto found = findOrAddCamera(project, camera);
+            if (!found)
+                return tl::unexpected(found.error());
+            record.camera = found->id;
+            auto added = project.cameras().addIntrinsics(record);
+            if (!added)
+                return tl::unexpected(added.error());
+            record = std::move(*added);
+            return {};
+        });
+    if (!stored)
+        return tl::unexpected(stored.error());
+    return record;
+}
+
+Result<void> exportIntrinsics(Project &project, const std::string &camera, const OutputTarget &target)
+{
+    const auto found = project.cameras().find(camera);
+    if (!found)
+        return tl::unexpected(found.error());
+    const auto intrinsics = project.cameras().currentIntrinsics(found->id);
+    if (!intrinsics)
+        return tl::unexpected(intrinsics.error());
+    if (!*intrinsics)
+        return fail(ErrorCode::NotFound, "intrinsics of camera '" + camera + "'", "it was never calibrated",
+                    "run odograph calibrate, or odograph intrinsics import");
+    return writeIntrinsics(target, camera, (*intrinsics)->calibration.intrinsics);
+}
+
+Result<RegistrationRecord> storeRegistration(Project &project, const std::string &camera,
+                                             RegistrationRecord record)
+{
+    const auto owner = findOrAddCamera(project, camera);
+    if (!owner)
+        return tl::unexpected(owner.error());
+    record.camera = owner->id;
+    record.made = instantNow();
+    record.softwareVersion = ODOGRAPH_VERSION;
+    return project.cameras().addRegistration(record);
+}
+
+Result<RegistrationRecord> storeFromOldMarkers(Project &project, const std::string &camera,
+                                               RegistrationRecord record,
+                                               const std::optional<RegistrationCheck> &lastCheck)
+{
+    auto stored = storeRegistration(project, camera, std::move(record));
+    if (!stored || !lastCheck)
+        return stored;
+    if (auto added = project.cameras().addCheck(stored->id, *lastCheck); !added)
+        return tl::unexpected(added.error());
+    return project.cameras().registration(stored->id);
+}
+
+Result<std::vector<RegisteredCamera>> camerasOnLayout(Project &project, RecordId layout)
+{
+    const auto cameras = project.cameras().all();
+    if (!cameras)
+        return tl::unexpected(cameras.error());
+    std::vector<RegisteredCamera> registered;
+    for (const CameraRecord &camera : *cameras) {
+        auto registration = project.cameras().currentRegistration(camera.id);
+        if (!registration)
+            return tl::unexpected(registration.error());
+        if (*registration && (*registration)->layout == layout)
+            registered.push_back({camera, std::move(**registration)});
+    }
+    return registered;
+}
+
+Result<RegisteredCamera> registeredCamera(Project &project, const std::string &camera)
+{
+    const auto found = project.cameras().find(camera);
+    if (!found)
+        return tl::unexpected(found.error());
+    auto registration = project.cameras().currentRegistration(found->id);
+    if (!registration)
+        return tl::unexpected(registration.error());
+    if (!*registration)
+        return fail(ErrorCode::NotFound, "camera '" + camera + "'", "it is not registered to the floor",
+                    "register it first, by markers or through another camera");
+    return RegisteredCamera{*found, std::move(**registration)};
+}
+
+} // namespace odo

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/registration_checks.h"
+#include "core/project/records.h"
+#include "core/workflow/job.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace odo {
+
+struct MovedSettings
+{
+    std::string camera;
+    std::filesystem::path pictureFile; ///< a picture or video of the camera as it stands now; or empty:
+    std::string liveUri;               ///< address of the camera that takes it now
+};
+
+/// Looks whether a camera still stands where it was registered, by its markers in a newer picture, and keeps
+/// the outcome with the registration. NotFound where the camera is not registered, Undetermined where fewer
+/// than two markers are found again (see keepNotTold).
+class MovedJob : public Job
+{
+public:
+    explicit MovedJob(MovedSettings settings);
+    Result<void> prepare(Project &project) override;
+    Result<void> run(const JobControl &control) override;
+    Result<void> commit(Project &project) override;
+
+    const MovedCheck &check() const { return m_check; } ///< after run
+
+private:
+    Result<Frame> picture(const JobControl &control) const;
+
+    MovedSettings m_settings;
+    RecordId m_registration = 0;
+    std::optional<FloorView> m_view;
+    MarkerLayout m_layout;
+    std::vector<MarkerPixel> m_stored;
+    double m_fitPx = 0;
+    MovedCheck m_check;
+};
+
+/// Keeps with the registration in force of a camera that it could not be told whether it has moved: what
+/// MovedJob failed with.
+Result<void> keepNotTold(Project &project, const std::string &camera, const Error &error);
+
+} // namespace odo

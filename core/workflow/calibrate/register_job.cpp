@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/calibrate/register_job.h"
+
+#include "core/calibration/marker_detection.h"
+#include "core/exchange/labelled_points.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/workflow/calibrate/calibration_pictures.h"
+#include "core/workflow/calibrate/cameras.h"
+#include "core/workflow/trial_sources.h"
+
+#include <algorithm>
+
+namespace odo {
+
+namespace {
+
+// Markers do not move; a few pictures are looked at in case somebody stands before one in the first.
+constexpr int markerVideoStep = 10;
+constexpr int mostPictures = 12;
+
+} // namespace
+
+RegisterJob::RegisterJob(RegisterSettings settings) : m_settings(std::move(settings)) {}
+
+Result<void> RegisterJob::prepare(Project &project)
+{
+    const auto layout = project.layouts().find(m_settings.layout);
+    if (!layout)
+        return tl::unexpected(layout.error());
+    m_layout = layout->layout;
+    m_record.layout = layout->id;
+    m_record.picture = m_settings.picture;
+    m_mediaFolder = project.mediaFolder();
+
+    const auto cameras = project.cameras().all();
+    if (!cameras)
+        return tl::unexpected(cameras.error());
+    for (const CameraRecord &camera : *cameras) {
+        if (camera.name != m_settings.camera)
+            continue;
+        const auto intrinsics = project.cameras().currentIntrinsics(camera.id);
+        if (!intrinsics)
+            return tl::unexpected(intrinsics.error());
+        if (*intrinsics) {
+            m_intrinsicsKnown = true;
+            m_intrinsics = (*intrinsics)->calibration.intrinsics;
+            m_record.intrinsics = (*intrinsics)->id;
+        }
+        const auto recording = project.trials().newestRecording(camera.id);
+        if (!recording)
+            return tl::unexpected(recording.error());
+        if (*recording && m_settings.pictureFile.empty() && m_settings.pixelsFile.empty() &&
+            m_settings.pixels.empty())
+            m_settings.pictureFile = project.resolve(**recording);
+        if (*recording && !m_intrinsicsKnown) {
+            m_intrinsics.widthPx = (*recording)->widthPx;
+            m_intrinsics.heightPx = (*recording)->heightPx;
+        }
+    }
+    return {};
+}
+
+Result<void> RegisterJob::run(const JobControl &control)
+{
+    if (!m_settings.pixelsFile.empty()) {
+        auto pixels = readPixelsCsv(m_settings.pixelsFile);
+        if (!pixels)
+            return tl::unexpected(pixels.error());
+        m_settings.pixels = std::move(*pixels);
+    }
+    if (m_settings.pixels.empty() || !m_settings.pictureFile.empty()) {
+        if (auto found = findInPictures(control); !found)
+            return found;
+    }
+    auto camera = cameraModel();
+    if (!camera)
+        return tl::unexpected(camera.error());
+    auto registration = registerFloor(m_layout, m_settings.pixels, *camera, m_intrinsicsKnown);
+    if (!registration) {
+        Error error = registration.error();
+        error.what = "registration of camera '" + m_settings.camera + "'";
+        return tl::unexpected(error);
+    }
+    m_record.pixels = m_settings.pixels;
+    m_record.assumedIntrinsics = registration->intrinsics;
+    m_record.registration = std::move(*registration);
+    return keepPicture();
+}
+
+Result<void> RegisterJob::keepPicture()
+{
+    if (!m_seenIn)
+        return {};
+    m_media = std::make_unique<CalibrationMedia>(m_mediaFolder);
+    auto written = m_media->writeFloor(m_settings.camera, *m_seenIn);
+    if (!written)
+        return tl::unexpected(written.error());
+    m_record.picture = std::move(*written);
+    return {};
+}
+
+Result<void> RegisterJob::findInPictures(const JobControl &control)
+{
+    const std::string what = "markers for camera '" + m_settings.camera + "'";
+    if (m_settings.pictureFile.empty())
+        return fail(ErrorCode::NotFound, what, "neither their pixels nor a picture to look in was given",
+                    "give --pixels pixels.csv, --image picture.png or --video clip.mp4");
+    const bool wanted = m_settings.pixels.empty();
+    MarkerSearch search{std::nullopt, m_intrinsicsKnown, m_settings.hints};
+    if (m_intrinsicsKnown) {
+        auto camera = cameraModel();
+        if (!camera)
+            return tl::unexpected(camera.error());
+        search.camera = std::move(*camera);
+    }
+    tl::unexpected<Error> lastProblem =
+        fail(ErrorCode::Undetermined, what, "the video has no picture", "give another file");
+    int looked = 0;
+    auto visited = visitPictures(
+        m_settings.pictureFile, markerVideoStep,
+        [&](const Frame &frame, const std::string &name) {
+            control.report(double(looked) / mostPictures, "looking for the markers in " + name);
+            if (!m_intrinsicsKnown) {
+                m_intrinsics.widthPx = frame.format.width;
+                m_intrinsics.heightPx = frame.format.height;
+            }
+            if (!wanted) {
+                m_seenIn = frame;
+                return false;
+            }
+            auto pixels = findMarkers(frame, m_layout, search);
+            if (!pixels)
+                lastProblem = tl::unexpected(pixels.error());
+            else if (pixels->size() > m_settings.pixels.size()) {
+                m_settings.pixels = std::move(*pixels);
+                m_seenIn = frame;
+            }
+            return m_settings.pixels.size() < m_layout.markers.size() && ++looked < mostPictures &&
+                   !control.isCancelled();
+        },
+        control.cancel);
+    if (control.isCancelled())
+        return cancelled(what);
+    if (!visited)
+        return visited;
+    if (m_settings.pixels.empty())
+        return lastProblem;
+    return {};
+}
+
+Result<CameraModel> RegisterJob::cameraModel() const
+{
+    if (m_intrinsicsKnown)
+        return CameraModel::create(m_intrinsics);
+    if (m_intrinsics.widthPx > 0)
+        return CameraModel::assumed(m_intrinsics.widthPx, m_intrinsics.heightPx);
+    return fail(ErrorCode::NotFound, "registration of camera '" + m_settings.camera + "'",
+                "the size of its pictures is not known: it has no intrinsics and no recording",
+                "calibrate it, import its intrinsics, or give --image or --video as well");
+}
+
+Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::string &camera)
+{
+    const std::string what = "registration of camera '" + camera + "' with the lens in force";
+    const auto registered = registeredCamera(project, camera);
+    if (!registered)
+        return tl::unexpected(registered.error());
+    const auto intrinsics = project.cameras().currentIntrinsics(registered->camera.id);
+    if (!intrinsics)
+        return tl::unexpected(intrinsics.error());
+    if (!*intrinsics || (*intrinsics)->id == registered->registration.intrinsics)
+        return fail(ErrorCode::InvalidInput, what, "it was made with it already",
+                    "calibrate the lens first, or put another calibration in force");
+    const auto layout = project.layouts().get(registered->registration.layout);
+    if (!layout)
+        return tl::unexpected(layout.error());
+    const auto cameras = project.cameras().all();
+    if (!cameras)
+        return tl::unexpected(cameras.error());
+    if (std::ranges::any_of(*cameras, [&](const CameraRecord &each) {
+            return isLayoutThrough(layout->layout.name, each.name);
+        }))
+        return fail(ErrorCode::InvalidInput, what, "it was registered through another camera",
+                    "register it through that camera again");
+    RegisterSettings settings{camera,
+                              layout->layout.name,
+                              {},
+                              {},
+                              registered->registration.pixels,
+                              registered->registration.picture};
+    RegisterJob job(std::move(settings));
+    if (auto prepared = job.prepare(project); !prepared)
+        return tl::unexpected(prepared.error());
+    if (auto done = job.run({}); !done)
+        return tl::unexpected(done.error());
+    std::optional<RegistrationRecord> record;
+    const auto stored = project.note("register camera " + camera + " again", [&]() -> Result<void> {
+        auto made = storeFromOldMarkers(project, camera, job.record(), registered->registration.lastCheck);
+        if (!made)
+            return tl::unexpected(made.error());
+        record = std::move(*made);
+        return {};
+    });
+    if (!stored)
+        return tl::unexpected(stored.error());
+    return *record;
+}
+
+Result<void> RegisterJob::commit(Project &project)
+{
+    auto committed = project.note("register camera " + m_settings.camera, [&]() -> Result<void> {
+        const auto stored = storeRegistration(project, m_settings.camera, m_record);
+        if (!stored)
+            return tl::unexpected(stored.error());
+        m_record = *stored;
+        return {};
+    });
+    if (committed && m_media)
+        m_media->keep();
+    m_media.reset(); // where it was not stored, its picture goes
+    return committed;
+}
+
+namespace {
+
+constexpr const char *throughWord = " through ";
+
+std::string subject(const RegisterThroughSettings &settings)
+{
+    return "registration of camera '" + settings.camera + "' through '" + settings.through + "'";
+}
+
+std::string freeName(const std::vector<LayoutRecord> &layouts, const std::string &wanted)
+{
+    const auto isTaken = [&](const std::string &name) {
+        return std::ranges::any_of(layouts, [&](const LayoutRecord &one) { return one.layout.name == name; });
+    };
+    std::string name = wanted;
+    for (int number = 2; isTaken(name); ++number)
+        name = wanted + " (" + std::to_string(number) + ")";
+    return name;
+}
+
+} // namespace
+
+RegisterThroughJob::RegisterThroughJob(RegisterThroughSettings settings) : m_settings(std::move(settings)) {}
+
+Result<void> RegisterThroughJob::prepare(Project &project)
+{
+    if (m_settings.camera == m_settings.through)
+        return fail(ErrorCode::InvalidInput, subject(m_settings),
+                    "a camera cannot be registered through itself", "name another camera that is registered");
+    const auto through = project.cameras().find(m_settings.through);
+    if (!through)
+        return tl::unexpected(through.error());
+    const auto registration = project.cameras().currentRegistration(through->id);
+    if (!registration)
+        return tl::unexpected(registration.error());
+    if (!*registration)
+        return fail(ErrorCode::NotFound, subject(m_settings),
+                    "camera '" + m_settings.through + "' is not registered",
+                    "register it first, by markers or through another camera");
+    auto view = floorViewOf(project, **registration);
+    if (!view)
+        return tl::unexpected(view.error());
+    m_through = std::move(*view);
+    m_throughRegistration = (*registration)->id;
+    return findCamera(project);
+}
+
+Result<void> RegisterThroughJob::findCamera(Project &project)
+{
+    const auto camera = project.cameras().find(m_settings.camera);
+    if (!camera)
+        return tl::unexpected(camera.error());
+    const auto intrinsics = project.cameras().currentIntrinsics(camera->id);
+    if (!intrinsics)
+        return tl::unexpected(intrinsics.error());
+    if (*intrinsics) {
+        auto model = CameraModel::create((*intrinsics)->calibration.intrinsics);
+        if (!model)
+            return tl::unexpected(model.error());
+        m_camera = std::move(*model);
+        m_intrinsicsKnown = true;
+        m_record.intrinsics = (*intrinsics)->id;
+        return {};
+    }
+    const auto recording = project.trials().newestRecording(camera->id);
+    if (!recording)
+        return tl::unexpected(recording.error());
+    if (!*recording)
+        return fail(ErrorCode::NotFound, subject(m_settings),
+                    "the size of its pictures is not known: it has no intrinsics and no recording",
+                    "calibrate it, import its intrinsics, or import a trial with it first");
+    m_camera = CameraModel::assumed((*recording)->widthPx, (*recording)->heightPx);
+    return {};
+}
+
+Result<void> RegisterThroughJob::run(const JobControl &)
+{
+    auto chained = registerThrough(*m_through, "camera '" + m_settings.through + "'", m_settings.points,
+                                   *m_camera, m_intrinsicsKnown);
+    if (!chained) {
+        Error error = chained.error();
+        error.what = subject(m_settings);
+        return tl::unexpected(error);
+    }
+    m_layout = std::move(chained->places);
+    m_record.pixels = std::move(chained->pixels);
+    m_record.registration = std::move(chained->registration);
+    m_record.assumedIntrinsics = m_record.registration.intrinsics;
+    m_record.picture = m_settings.picture;
+    m_record.registration.verdict +=
+        " It was made through registration " + std::to_string(m_throughRegistration) + " of the project.";
+    return {};
+}
+
+Result<void> RegisterThroughJob::commit(Project &project)
+{
+    return project.note("register camera " + m_settings.camera + " through camera " + m_settings.through,
+                        [&]() -> Result<void> {
+                            const auto layouts = project.layouts().all();
+                            if (!layouts)
+                                return tl::unexpected(layouts.error());
+                            m_layout.name =
+                                freeName(*layouts, m_settings.camera + throughWord + m_settings.through);
+                            const auto layout = project.layouts().add(m_layout);
+                            if (!layout)
+                                return tl::unexpected(layout.error());
+                            m_record.layout = layout->id;
+                            const auto stored = storeRegistration(project, m_settings.camera, m_record);
+                            if (!stored)
+                                return tl::unexpected(stored.error());
+                            m_record = *stored;
+                            return {};
+                        });
+}
+
+bool isLayoutThrough(const std::string &layoutName, const std::string &through)
+{
+    // freeName() may have put a number behind it.
+    const std::string ending = throughWord + through;
+    const auto at = layoutName.rfind(ending);
+    if (at == std::string::npos || at == 0)
+        return false;
+    const std::string rest = layoutName.substr(at + ending.size());
+    return rest.empty() || (rest.starts_with(" (") && rest.ends_with(")"));
+}
+
+RegisterJointJob::RegisterJointJob(RegisterJointSettings settings) : m_settings(std::move(settings)) {}
+
+Result<void> RegisterJointJob::prepare(Project &project)
+{
+    const auto layout = project.layouts().find(m_settings.layout);
+    if (!layout)
+        return tl::unexpected(layout.error());
+    m_layout = layout->layout;
+    auto cameras = camerasOnLayout(project, layout->id);
+    if (!cameras)
+        return tl::unexpected(cameras.error());
+    for (RegisteredCamera &camera : *cameras) {
+        const auto view = floorViewOf(project, camera.registration);
+        if (!view)
+            return tl::unexpected(view.error());
+        m_names.push_back(camera.camera.name);
+        m_cameras.push_back(
+            {camera.camera.name, view->camera(), view->worldFromCamera(), camera.registration.pixels});
+        m_records.push_back(std::move(camera.registration));
+    }
+    return {};
+}
+
+Result<void> RegisterJointJob::run(const JobControl &control)
+{
+    control.report(0, "fitting " + std::to_string(m_cameras.size()) + " cameras together");
+    auto joint = registerJointly(m_layout, m_cameras, m_settings.tapeSigmaM);
+    if (!joint)
+        return tl::unexpected(joint.error());
+    m_joint = std::move(*joint);
+    return {};
+}
+
+Result<void> RegisterJointJob::commit(Project &project)
+{
+    return project.note(
+        "register the cameras of layout " + m_settings.layout + " together", [&]() -> Result<void> {
+            for (std::size_t i = 0; i < m_records.size(); ++i) {
+                m_records[i].registration = m_joint.registrations[i];
+                const auto stored =
+                    storeFromOldMarkers(project, m_names[i], m_records[i], m_records[i].lastCheck);
+                if (!stored)
+                    return tl::unexpected(stored.error());
+                m_records[i] = *stored;
+            }
+            return {};
+        });
+}
+
+} // namespace odo

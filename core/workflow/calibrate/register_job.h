@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/chained_registration.h"
+#include "core/calibration/joint_registration.h"
+#include "core/project/records.h"
+#include "core/workflow/calibrate/calibration_pictures.h"
+#include "core/workflow/job.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+struct RegisterSettings
+{
+    std::string camera;
+    std::string layout;
+    std::filesystem::path pixelsFile; ///< label,u,v; or empty
+    /// a picture or video in which the markers are looked for, or (with pixelsFile)
+    std::filesystem::path pictureFile;
+    ///< which tells the picture's size to a camera without intrinsics; or empty
+    std::vector<MarkerPixel> pixels; ///< picked in a window; instead of pixelsFile
+    StoredPicture picture = {};      ///< in which the pixels were picked, where the project has it already
+    /// markers told by hand, to find the others in the picture (MarkerSearch)
+    std::vector<MarkerPixel> hints = {};
+};
+
+/// Registers one camera to the floor by the markers of a layout and stores the registration as its newest
+/// one, with the picture in which the markers were seen. Without a picture to look in, the markers are looked
+/// for in the camera's newest recording.
+class RegisterJob : public Job
+{
+public:
+    explicit RegisterJob(RegisterSettings settings);
+    Result<void> prepare(Project &project) override;
+    Result<void> run(const JobControl &control) override;
+    Result<void> commit(Project &project) override;
+
+    const RegisterSettings &settings() const { return m_settings; }
+    const RegistrationRecord &record() const { return m_record; } ///< after run
+
+private:
+    Result<void> findInPictures(const JobControl &control);
+    Result<CameraModel> cameraModel() const;
+    Result<void> keepPicture();
+
+    RegisterSettings m_settings;
+    MarkerLayout m_layout;
+    bool m_intrinsicsKnown = false;
+    Intrinsics m_intrinsics;       ///< stored ones, or only the picture's size
+    std::optional<Frame> m_seenIn; ///< the picture that the markers were found in
+    std::filesystem::path m_mediaFolder;
+    std::unique_ptr<CalibrationMedia> m_media;
+    RegistrationRecord m_record;
+};
+
+/// Registers a camera anew by the pixels and the layout of its registration in force, with the intrinsics in
+/// force: what a newer calibration of the lens makes of the same markers, also of a camera that is long gone.
+/// NotFound where it is not registered; InvalidInput where the registration was made with those intrinsics,
+/// or through another camera. What the last check found stays. Quick.
+Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::string &camera);
+
+struct RegisterThroughSettings
+{
+    std::string camera;
+    std::string through; ///< a camera that is registered
+    std::vector<SharedPoint> points;
+    StoredPicture picture = {}; ///< of the camera, in which the points were picked, where the project has it
+};
+
+/// Registers a camera by points of the floor that a registered camera sees as well. Stores it as the camera's
+/// newest registration, with the places that were found as a layout of its own ("C through B", numbered where
+/// that name is taken); the verdict names the registration it was made through. The camera needs intrinsics
+/// or a recording, which tells the size of its pictures.
+class RegisterThroughJob : public Job
+{
+public:
+    explicit RegisterThroughJob(RegisterThroughSettings settings);
+    Result<void> prepare(Project &project) override;
+    Result<void> run(const JobControl &control) override;
+    Result<void> commit(Project &project) override;
+
+    const RegistrationRecord &record() const { return m_record; }   ///< after run; its layout after commit
+    const std::string &layoutName() const { return m_layout.name; } ///< after commit
+
+private:
+    Result<void> findCamera(Project &project);
+
+    RegisterThroughSettings m_settings;
+    std::optional<FloorView> m_through;
+    RecordId m_throughRegistration = 0;
+    std::optional<CameraModel> m_camera;
+    bool m_intrinsicsKnown = false;
+    MarkerLayout m_layout;
+    RegistrationRecord m_record;
+};
+
+/// Whether a layout is one of those that registrations through this camera keep.
+bool isLayoutThrough(const std::string &layoutName, const std::string &through);
+
+struct RegisterJointSettings
+{
+    std::string layout;
+    double tapeSigmaM = 0.002; ///< of the places of the layout's markers
+};
+
+/// Registers all cameras that stand on a layout together, from the pixels of their registrations in force,
+/// and stores new revisions of all of them in one transaction. The layout stays as it was measured; the
+/// verdicts name the markers that are to be measured again. Errors as registerJointly.
+class RegisterJointJob : public Job
+{
+public:
+    explicit RegisterJointJob(RegisterJointSettings settings);
+    Result<void> prepare(Project &project) override;
+    Result<void> run(const JobControl &control) override;
+    Result<void> commit(Project &project) override;
+
+    const std::vector<std::string> &cameras() const { return m_names; } ///< after prepare
+    /// The registrations in force, in the order of cameras(); after prepare and until commit.
+    const std::vector<RegistrationRecord> &before() const { return m_records; }
+    /// after run, in the order of cameras()
+    const JointRegistration &joint() const { return m_joint; }
+
+private:
+    RegisterJointSettings m_settings;
+    MarkerLayout m_layout;
+    std::vector<std::string> m_names;
+    std::vector<RegistrationRecord> m_records;
+    std::vector<JointCamera> m_cameras;
+    JointRegistration m_joint;
+};
+
+} // namespace odo

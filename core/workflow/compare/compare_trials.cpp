@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/compare/compare_trials.h"
+
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+
+#include <algorithm>
+
+namespace odo {
+
+namespace {
+
+Result<AnalysisRecord> analysisOf(Project &project, const TrialRecord &trial, const std::string &robot)
+{
+    const auto analyses = project.analyses().current(trial.id);
+    if (!analyses)
+        return tl::unexpected(analyses.error());
+    const std::string what = "comparison of trial '" + trial.name + "'";
+    if (analyses->empty())
+        return fail(ErrorCode::NotFound, what, "it has not been tracked yet", "track it first");
+    std::string names;
+    for (const AnalysisRecord &analysis : *analyses) {
+        if (analysis.robotName == robot || (robot.empty() && analyses->size() == 1))
+            return analysis;
+        names += (names.empty() ? "'" : ", '") + analysis.robotName + "'";
+    }
+    if (robot.empty())
+        return fail(ErrorCode::Undetermined, what, "it has several robots: " + names, "choose one of them");
+    return fail(ErrorCode::NotFound, what, "robot '" + robot + "' was not tracked in it, but " + names,
+                "track it, or choose another");
+}
+
+Result<std::optional<TaskRecord>> commonTask(Project &project, const std::vector<ComparedTrial> &runs)
+{
+    std::string name;
+    for (const ComparedTrial &run : runs) {
+        if (run.trial.task.empty())
+            continue;
+        if (!name.empty() && name != run.trial.task)
+            return std::nullopt;
+        name = run.trial.task;
+    }
+    if (name.empty())
+        return std::nullopt;
+    const auto task = project.tasks().find(name);
+    if (!task)
+        return tl::unexpected(task.error());
+    return *task;
+}
+
+bool sharesCalibration(const AnalysisRecord &a, const AnalysisRecord &b)
+{
+    const bool isRegistered = std::ranges::any_of(a.registrations, [](RecordId id) { return id != 0; });
+    return isRegistered && a.registrations == b.registrations && a.robot == b.robot &&
+           !a.profile.heightEstimated && !b.profile.heightEstimated;
+}
+
+} // namespace
+
+std::string runName(const ComparedTrial &run)
+{
+    return run.trial.robots.size() > 1 ? run.analysis.robotName + " in " + run.trial.name : run.trial.name;
+}
+
+Result<ComparedTrials> readComparedTrials(Project &project, const CompareSettings &settings)
+{
+    ComparedTrials read;
+    for (const CompareSettings::Run &run : settings.runs) {
+        auto trial = project.trials().find(run.trial);
+        if (!trial)
+            return tl::unexpected(trial.error());
+        auto analysis = analysisOf(project, *trial, run.robot);
+        if (!analysis)
+            return tl::unexpected(analysis.error());
+        const bool isTwice = std::ranges::any_of(
+            read.runs, [&](const ComparedTrial &other) { return other.analysis.id == analysis->id; });
+        if (isTwice)
+            return fail(ErrorCode::InvalidInput, "comparison of trial '" + run.trial + "'",
+                        "a run cannot be compared with itself", "choose another one");
+        read.runs.push_back({std::move(*trial), std::move(*analysis)});
+    }
+    if (read.runs.size() < 2)
+        return fail(ErrorCode::InvalidInput, "comparison", "it takes two runs", "choose another run as well");
+    auto task = commonTask(project, read.runs);
+    if (!task)
+        return tl::unexpected(task.error());
+    read.task = std::move(*task);
+    const AnalysisRecord &first = read.runs.front().analysis;
+    read.shareCalibration = read.shareTask = true;
+    for (auto run = read.runs.begin() + 1; run != read.runs.end(); ++run) {
+        read.shareCalibration = read.shareCalibration && sharesCalibration(first, run->analysis);
+        read.shareTask = read.shareTask && first.task == run->analysis.task;
+    }
+    return read;
+}
+
+Result<TrialComparison> compareTrials(const ComparedTrials &trials, const CompareSettings &settings)
+{
+    ComparisonOptions options;
+    if (trials.task)
+        options.task = trials.task->task;
+    options.alignBy = settings.alignBy;
+    options.handTimesS = settings.handTimesS;
+    options.placeM = settings.placeM;
+    options.shareCalibration = trials.shareCalibration;
+    std::vector<ComparedRun> runs;
+    for (const ComparedTrial &run : trials.runs)
+        runs.push_back({runName(run), &run.analysis.profile});
+    auto comparison = compareRuns(runs, options);
+    if (!comparison)
+        return tl::unexpected(comparison.error());
+    TrialComparison result;
+    result.comparison = std::move(*comparison);
+    for (std::size_t run = 1; run < runs.size(); ++run)
+        result.metrics.push_back(metricDifferences(*runs.front().profile, *runs[run].profile,
+                                                   trials.shareCalibration, trials.shareTask));
+    if (options.task)
+        result.gates = gatesOnPath(result.comparison.path, options.task->gates);
+    if (result.gates.empty())
+        result.gates = thirdsOf(result.comparison);
+    result.sectors = sectorTimes(result.comparison, result.gates);
+    return result;
+}
+
+} // namespace odo

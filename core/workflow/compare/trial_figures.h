@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/analysis/scoring.h"
+#include "core/base/error.h"
+#include "core/project/records.h"
+#include "core/project/repositories.h"
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+class Project;
+
+/// By which a score is known among the metrics of trials; a higher one is better.
+constexpr const char *scoreMetric = "score";
+
+/// What a robot's run in a trial of a scored task is worth.
+struct TrialScore
+{
+    RecordId trial = 0, robot = 0, task = 0;
+    /// nullopt: its newest analysis was measured by another task than the trial has, or by it as it was
+    /// before it was changed.
+    std::optional<Score> score;
+};
+
+/// Of each robot in the trials from one moment to another (both belong to them) whose task is scored, by its
+/// newest analysis. Computed from what is stored, so that another scoring counts at once. On the project's
+/// thread.
+Result<std::vector<TrialScore>> trialScores(Project &project, Instant from, Instant to);
+
+/// The same as figures with the name scoreMetric; runs without a score are left out.
+Result<std::vector<TrialFigure>> scoreFigures(Project &project, Instant from, Instant to);
+
+/// A figure of the newest analysis of each robot, of all trials: a metric by its name, or the score by
+/// scoreMetric.
+Result<std::vector<TrialFigure>> figuresOf(Project &project, const std::string &metric);
+
+/// Whether a trial belongs to a class and to a task (empty: to any) and is not in the bin. Pure.
+bool countsIn(const TrialRecord &trial, const std::string &className, const std::string &task);
+
+/// Trials whose figures can be compared, in their order; they must outlive it.
+struct CountedTrials
+{
+    std::vector<const TrialRecord *> trials;
+    int leftOut = 0; ///< that belong to the task, and were measured by another course than it has now
+};
+/// Those that count in a class and a task (countsIn), without those that were measured otherwise; of any task
+/// none is left out for that. otherwise: in order of their ids. Pure.
+CountedTrials countedTrials(std::span<const TrialRecord *const> trials, const std::string &className,
+                            const std::string &task, const std::vector<OtherwiseMeasured> &otherwise);
+CountedTrials countedTrials(const std::vector<TrialRecord> &trials, const std::string &className,
+                            const std::string &task, const std::vector<OtherwiseMeasured> &otherwise);
+
+/// A figure in the middle of a class.
+struct ClassFigure
+{
+    double median = 0;
+    int runs = 0; ///< each robot's in each trial
+};
+
+/// The median of each metric over the runs of a class in a task, by the metrics' names; those that no run has
+/// are not in it. Of trials that count there (countedTrials). On the project's thread. Errors: those of the
+/// repositories.
+Result<std::map<std::string, ClassFigure>> classFigures(Project &project, const std::string &className,
+                                                        const std::string &task,
+                                                        const std::vector<std::string> &metrics);
+
+} // namespace odo

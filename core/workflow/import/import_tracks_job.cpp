@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/import/import_tracks_job.h"
+
+#include "core/base/file_system.h"
+#include "core/exchange/file_name.h"
+#include "core/exchange/track_export.h"
+#include "core/files/protected_files.h"
+#include "core/project/names.h"
+#include "core/project/project.h"
+#include "core/project/recording_rows.h"
+#include "core/project/records.h"
+#include "core/project/repositories.h"
+#include "core/trajectory/imported_track.h"
+#include "core/workflow/import/teams.h"
+#include "core/workflow/track/task_analysis.h"
+#include "core/workflow/track/track_warnings.h"
+#include "core/workflow/track/view_tracking.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace odo {
+
+namespace {
+
+constexpr auto mostBlankAtStart = std::chrono::hours(1);
+/// Okabe and Ito 2008: for robots that nobody has told a colour of.
+constexpr std::array<RgbColour, 6> freshColours{{{0x00, 0x72, 0xB2},
+                                                 {0xD5, 0x5E, 0x00},
+                                                 {0x00, 0x9E, 0x73},
+                                                 {0xCC, 0x79, 0xA7},
+                                                 {0xE6, 0x9F, 0x00},
+                                                 {0x56, 0xB4, 0xE9}}};
+
+/// The first colour that no robot has yet, or the first of all.
+RgbColour freshColour(const std::vector<RobotRecord> &robots)
+{
+    for (const RgbColour colour : freshColours) {
+        if (std::ranges::find(robots, colour, &RobotRecord::colour) == robots.end())
+            return colour;
+    }
+    return freshColours.front();
+}
+
+Result<FileTrack> trackOf(TrackFile file, const std::string &robot, const std::filesystem::path &path)
+{
+    if (file.tracks.size() == 1)
+        return std::move(file.tracks.front());
+    std::string names;
+    for (FileTrack &track : file.tracks) {
+        if (track.name == robot || track.name == trackerName(robot))
+            return std::move(track);
+        names += (names.empty() ? "'" : ", '") + track.name + "'";
+    }
+    return fail(ErrorCode::NotFound, "file '" + path.string() + "'",
+                "none of its tracks is called '" + robot + "'; it has " + names,
+                "give the robot the name of one of them");
+}
+
+/// Whether every position has a σ above zero.
+bool statesErrors(const std::vector<ImportedPosition> &track)
+{
+    return std::ranges::all_of(track, [](const ImportedPosition &one) {
+        return !one.position || (one.sigmaM && one.sigmaM->minCoeff() > 0);
+    });
+}
+
+} // namespace
+
+ImportTracksJob::ImportTracksJob(ImportTracksSettings settings) : m_settings(std::move(settings)) {}
+
+Result<void> ImportTracksJob::checkTracks() const
+{
+    const std::string what = "import of trial '" + m_settings.trial + "'";
+    if (m_settings.tracks.empty())
+        return fail(ErrorCode::InvalidInput, what, "no track was given",
+                    "give one or more, like --track R=run.csv");
+    std::set<std::string> names;
+    for (const auto &[robot, file] : m_settings.tracks) {
+        if (!names.insert(robot).second)
+            return fail(ErrorCode::InvalidInput, what, "robot '" + robot + "' was given two tracks",
+                        "give each robot one");
+        if (auto may = checkMayBeRead(file, "'" + file.string() + "'"); !may)
+            return may;
+    }
+    return {};
+}
+
+Result<void> ImportTracksJob::prepare(Project &project)
+{
+    if (auto checked = checkTracks(); !checked)
+        return checked;
+    if (project.trials().find(m_settings.trial))
+        return fail(ErrorCode::AlreadyExists, "import of trial '" + m_settings.trial + "'",
+                    "the project has a trial of that name", "choose another name");
+    m_trial.name = m_settings.trial;
+    m_trial.task = m_settings.task;
+    m_trial.syncMethod = "none";
+    if (auto read = readTask(project); !read)
+        return read;
+    return readRobots(project);
+}
+
+Result<void> ImportTracksJob::readTask(Project &project)
+{
+    if (m_settings.task.empty())
+        return {};
+    auto task = project.tasks().find(m_settings.task);
+    if (!task)
+        return tl::unexpected(task.error());
+    m_task = std::move(*task);
+    return {};
+}
+
+Result<void> ImportTracksJob::readRobots(Project &project)
+{
+    auto robots = project.robots().all();
+    if (!robots)
+        return tl::unexpected(robots.error());
+    for (const auto &track : m_settings.tracks) {
+        const auto known = std::ranges::find(*robots, track.first, &RobotRecord::name);
+        if (known != robots->end()) {
+            m_imported.push_back({*known, {}, {}});
+            continue;
+        }
+        RobotRecord fresh;
+        fresh.name = track.first;
+        fresh.colour = freshColour(*robots);
+        m_warnings.push_back("robot '" + fresh.name + "' is new: it was added with the colour " +
+                             fresh.colour->toString());
+        robots->push_back(fresh);
+        m_imported.push_back({std::move(fresh), {}, {}});
+    }
+    return {};
+}
+
+Result<void> ImportTracksJob::run(const JobControl &control)
+{
+    m_control = control;
+    if (auto read = readFiles(control); !read)
+        return read;
+    setClock();
+    for (std::size_t robot = 0; robot < m_imported.size(); ++robot) {
+        control.report(0.5 + 0.5 * double(robot) / double(m_imported.size()),
+                       "analysing " + m_imported[robot].robot.name);
+        if (auto analysed = analyse(robot); !analysed)
+            return analysed;
+    }
+    return {};
+}
+
+Result<void> ImportTracksJob::readFiles(const JobControl &control)
+{
+    for (std::size_t i = 0; i < m_settings.tracks.size(); ++i) {
+        const auto &[robot, path] = m_settings.tracks[i];
+        auto file = readTrackFile(path, control);
+        if (!file)
+            return tl::unexpected(file.error());
+        ImportedTrack &source = m_imported[i].source;
+        source.format = trackFormatWord(file->format);
+        auto track = trackOf(std::move(*file), robot, path);
+        if (!track)
+            return tl::unexpected(track.error());
+        const auto hash = fileSha256(path, control);
+        if (!hash)
+            return tl::unexpected(hash.error());
+        const std::string name = path.filename().string();
+        // files may be called as nothing else may
+        source.file = checkName("track", name) ? name : fileNameOf(name);
+        source.sha256 = *hash;
+        std::error_code problem; // the file was just read; 0 where it went since
+        const auto bytes = files::sizeOf(path, problem);
+        source.bytes = problem ? 0 : static_cast<std::int64_t>(bytes);
+        m_read.push_back({std::move(track->name), std::move(track->positions)});
+    }
+    return {};
+}
+
+/// One clock for all robots of the trial.
+void ImportTracksJob::setClock()
+{
+    Nanoseconds first = Nanoseconds::max();
+    for (const Read &read : m_read)
+        first = std::min(first, read.positions.front().time);
+    m_zero = first >= Nanoseconds(0) && first < mostBlankAtStart ? Nanoseconds(0) : first;
+    for (Read &read : m_read) {
+        for (ImportedPosition &position : read.positions) {
+            position.time -= m_zero;
+            if (m_read.size() > 1)
+                m_times.push_back(position.time);
+        }
+        m_trial.durationS = std::max(m_trial.durationS, toSeconds(read.positions.back().time));
+    }
+    std::ranges::sort(m_times);
+    m_times.erase(std::unique(m_times.begin(), m_times.end()), m_times.end());
+}
+
+/// The raw measurement, and how it was read.
+void ImportTracksJob::makeSamples(std::size_t robot)
+{
+    Read &read = m_read[robot];
+    ImportedTrack &source = m_imported[robot].source;
+    const bool isStated = statesErrors(read.positions);
+    if (!isStated) {
+        for (ImportedPosition &position : read.positions)
+            position.sigmaM.reset(); // some may be stated, and some not
+    }
+    m_series.emplace_back(read.positions, isStated ? 0 : estimateImportedNoiseM(read.positions, m_control));
+    read.positions = {};
+    NoiseLevel level;
+    for (std::size_t i = 0; i < m_series.back().size(); ++i)
+        level.add({m_series.back().sample(i)});
+    source.noiseM = level.sigmaM();
+    source.reading = "positions to " + formatNumber(toMillimetres(source.noiseM), 2) + " mm, " +
+                     (isStated ? "as the file says" : "as estimated from them");
+    if (!read.track.empty())
+        source.reading += "; the file's track '" + read.track + "'";
+    if (m_zero != Nanoseconds(0))
+        source.reading += "; its times count from " + formatNumber(toSeconds(m_zero), 3) + " s";
+}
+
+/// As they were read, or with the flags of their analysis; they end when the job is cancelled.
+SampleSource ImportTracksJob::samplesOf(std::size_t robot, std::span<const SampleFlags> flags) const
+{
+    const auto chunk = [this, robot, flags](std::size_t first,
+                                            std::size_t count) -> Result<std::vector<Sample>> {
+        if (m_control.isCancelled())
+            return cancelled("import of trial '" + m_settings.trial + "'");
+        std::vector<Sample> samples;
+        samples.reserve(count);
+        for (std::size_t i = first; i < first + count; ++i) {
+            Sample &sample = samples.emplace_back(m_series[robot].sample(i));
+            if (!m_times.empty())
+                sample.frame = std::ranges::lower_bound(m_times, sample.time) - m_times.begin();
+            if (!flags.empty())
+                sample.flags = flags[i];
+        }
+        return samples;
+    };
+    return {m_series[robot].size(), chunk};
+}
+
+Result<void> ImportTracksJob::analyse(std::size_t robot)
+{
+    makeSamples(robot);
+    auto &[record, source, analysis] = m_imported[robot];
+    const SampleSource raw = samplesOf(robot);
+    const auto options = optionsForImported({}, raw);
+    if (!options)
+        return tl::unexpected(options.error());
+    const double share = 0.5 / double(m_imported.size());
+    const JobControl part{m_control.cancel, [&](double fraction, const std::string &text) {
+                              m_control.report(0.5 + share * (double(robot) + fraction), text);
+                          }};
+    auto analysed = analyseByTask([&](const AnalysisOptions &by) { return analyseImported(raw, by, part); },
+                                  *options, m_task);
+    if (m_control.isCancelled())
+        return cancelled("import of trial '" + m_settings.trial + "'");
+    if (!analysed) {
+        Error error = analysed.error();
+        error.what = robotInTrial(record.name, m_settings.trial);
+        return tl::unexpected(error);
+    }
+    if (!analysed->doubt.empty())
+        m_warnings.push_back(robotInTrial(record.name, m_settings.trial) + ": " + analysed->doubt);
+    analysis = newAnalysis(m_trial, record, {}, std::move(analysed->options));
+    analysis.task = m_task ? m_task->id : 0;
+    analysis.profile = std::move(analysed->profile);
+    return {};
+}
+
+Result<void> ImportTracksJob::commit(Project &project)
+{
+    return project.note("import trial " + m_settings.trial, [&] { return store(project); });
+}
+
+Result<void> ImportTracksJob::store(Project &project)
+{
+    if (!m_settings.team.empty()) {
+        const auto team = findOrAddTeam(project, m_settings.team);
+        if (!team)
+            return tl::unexpected(team.error());
+        m_trial.team = team->id;
+    }
+    for (Imported &one : m_imported) {
+        if (one.robot.id == 0) {
+            auto made = project.robots().add(one.robot);
+            if (!made)
+                return tl::unexpected(made.error());
+            one.robot = std::move(*made);
+        }
+        m_trial.robots.push_back(one.robot.id);
+    }
+    m_trial.date = m_settings.date.value_or(instantNow());
+    auto trial = project.trials().add(m_trial, {});
+    if (!trial)
+        return tl::unexpected(trial.error());
+    m_trial = std::move(*trial);
+    for (std::size_t robot = 0; robot < m_imported.size(); ++robot) {
+        Imported &one = m_imported[robot];
+        one.source.trial = one.analysis.trial = m_trial.id;
+        one.source.robot = one.analysis.robot = one.robot.id;
+        one.source.imported = instantNow();
+        if (auto told = project.trials().addImportedTrack(one.source, samplesOf(robot)); !told)
+            return told;
+        const std::vector<SampleFlags> flags = one.analysis.profile.flags;
+        auto stored = project.analyses().add(std::move(one.analysis), samplesOf(robot, flags));
+        if (!stored)
+            return tl::unexpected(stored.error());
+        one.analysis = std::move(*stored);
+    }
+    return {};
+}
+
+} // namespace odo

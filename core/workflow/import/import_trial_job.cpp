@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/import/import_trial_job.h"
+
+#include "core/base/file_system.h"
+#include "core/base/job_control.h"
+#include "core/files/protected_files.h"
+#include "core/project/limits.h"
+#include "core/project/project.h"
+#include "core/project/records.h"
+#include "core/project/repositories.h"
+#include "core/synchronisation/clip_evidence.h"
+#include "core/video/frame_times.h"
+#include "core/video/video_reader.h"
+#include "core/workflow/calibrate/cameras.h"
+#include "core/workflow/import/teams.h"
+#include "core/workflow/media_copy.h"
+#include "core/workflow/track/robot_names.h"
+#include "core/workflow/trial_sources.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace odo {
+
+/// Reads all views once, tracks the robots where two views or more are registered and measures the light, and
+/// finds for each view but the first how its clock lies against the first view's (findClipOffset):
+/// Undetermined, with the reason, where neither the motion nor a flash tells. Touches no project. Errors: a
+/// video that cannot be read; cancelled.
+Result<std::vector<Result<FoundOffset>>> findClipOffsets(const std::vector<RegisteredView> &views,
+                                                         const std::vector<RobotRecord> &robots,
+                                                         const JobControl &control);
+
+namespace {
+
+constexpr double longestOffsetS = 10;
+
+std::vector<std::vector<MotionTrack>> tracksOf(const std::vector<RegisteredView> &views,
+                                               const std::vector<RobotRecord> &robots,
+                                               const std::vector<TrackedView> &tracked)
+{
+    std::vector<NamedRobot> named;
+    std::vector<std::string> names;
+    for (const RobotRecord &robot : robots) {
+        named.push_back(namedRobot(robot));
+        names.push_back(robot.name);
+    }
+    std::vector<NamedView> seen;
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        // how the views' clocks lie is not known yet: each decides by itself which of what moves the robots
+        // are
+        std::vector<NamedView> alone(1);
+        alone.front().floorView = views[v].floorView;
+        for (const ObservationSeries &series : tracked[v].series)
+            alone.front().robots.push_back(series.observations);
+        alone.front().others = tracked[v].others;
+        if (!tracked[v].others.empty())
+            assignNames(alone, named);
+        seen.push_back(std::move(alone.front()));
+    }
+    return motionTracks(seen, named, names);
+}
+
+std::string whyNoTracks(const RegisteredView &view, const std::vector<RobotRecord> &robots)
+{
+    if (!view.floorView)
+        return "camera '" + view.recording.cameraName + "' is not registered to the floor";
+    return robots.empty() ? "the project has no robot to look for" : std::string();
+}
+
+} // namespace
+
+Result<std::vector<Result<FoundOffset>>> findClipOffsets(const std::vector<RegisteredView> &views,
+                                                         const std::vector<RobotRecord> &robots,
+                                                         const JobControl &control)
+{
+    const auto registered =
+        std::count_if(views.begin(), views.end(), [](const RegisteredView &view) { return view.floorView; });
+    const bool canTrack = views.front().floorView && registered > 1 && !robots.empty();
+    const auto tracked =
+        trackViews(views, canTrack ? robots : std::vector<RobotRecord>{}, control, WithLight::Measured);
+    if (!tracked)
+        return tl::unexpected(tracked.error());
+    std::vector<std::vector<MotionTrack>> tracks(views.size());
+    if (canTrack)
+        tracks = tracksOf(views, robots, *tracked);
+    std::vector<ClipEvidence> evidence;
+    for (std::size_t v = 0; v < views.size(); ++v)
+        evidence.push_back(
+            {std::move(tracks[v]), whyNoTracks(views[v], robots), lightCourseOf((*tracked)[v].light)});
+
+    std::vector<Result<FoundOffset>> found;
+    for (std::size_t v = 1; v < views.size(); ++v)
+        found.push_back(findClipOffset(evidence.front(), evidence[v], {0, longestOffsetS}));
+    return found;
+}
+
+namespace {
+
+double durationOf(const RecordingRecord &recording)
+{
+    return recording.frameTimes.empty() ? 0 : toSeconds(recording.frameTimes.back());
+}
+
+} // namespace
+
+ImportTrialJob::ImportTrialJob(ImportSettings settings) : m_settings(std::move(settings)) {}
+
+ImportTrialJob::~ImportTrialJob()
+{
+    m_files.clear(); // those that no trial has go
+    if (!m_folderWasThere)
+        files::remove(m_mediaFolder); // only when empty
+}
+
+Result<void> ImportTrialJob::prepare(Project &project)
+{
+    const std::string what = "import of trial '" + m_settings.trial + "'";
+    if (m_settings.videos.empty())
+        return fail(ErrorCode::InvalidInput, what, "no video was given",
+                    "give one view or more, like --video A=a.mp4");
+    if (m_settings.videos.size() > mostViews)
+        return fail(ErrorCode::InvalidInput, what,
+                    "it has " + std::to_string(m_settings.videos.size()) + " views",
+                    "use at most " + std::to_string(mostViews));
+    if (m_settings.rate && !(*m_settings.rate >= lowestFrameRate && *m_settings.rate <= highestFrameRate))
+        return fail(ErrorCode::InvalidInput, what,
+                    "its frame rate is not between 0.1 and 100,000 frames a second",
+                    "give the rate at which the camera took the frames");
+    if (auto checked = checkSteps(); !checked)
+        return checked;
+    if (project.trials().find(m_settings.trial))
+        return fail(ErrorCode::AlreadyExists, what, "the project has a trial of that name",
+                    "choose another name");
+    std::set<std::string> names;
+    for (const auto &[camera, file] : m_settings.videos) {
+        if (!names.insert(camera).second)
+            return fail(ErrorCode::InvalidInput, what, "camera '" + camera + "' was given two videos",
+                        "give each view its own camera");
+        if (auto may = checkMayBeRead(file, "'" + file.string() + "'"); !may)
+            return may;
+    }
+    m_trial.name = m_settings.trial;
+    m_trial.task = m_settings.task;
+    const bool looks = std::any_of(m_settings.steps.begin(), m_settings.steps.end(), [](const auto &step) {
+        return step.how == ImportSettings::Sync::Automatic;
+    });
+    if (!m_settings.robots.empty() || looks) {
+        auto robots = robotsToTrack(project, m_trial, m_settings.robots);
+        if (!robots && !m_settings.robots.empty())
+            return tl::unexpected(robots.error());
+        if (robots)
+            m_robots = std::move(*robots);
+    }
+    m_mediaFolder = project.mediaFolder();
+    m_folderWasThere = files::exists(m_mediaFolder);
+
+    const auto cameras = project.cameras().all();
+    if (!cameras)
+        return tl::unexpected(cameras.error());
+    for (const auto &[name, file] : m_settings.videos) {
+        RegisteredView view;
+        view.file = file;
+        view.recording.cameraName = name;
+        for (const CameraRecord &camera : *cameras) {
+            if (camera.name != name)
+                continue;
+            auto floorView = floorViewInForce(project, camera.id);
+            if (!floorView)
+                return tl::unexpected(floorView.error());
+            view.floorView = std::move(*floorView);
+        }
+        m_views.push_back(std::move(view));
+    }
+    return {};
+}
+
+Result<void> ImportTrialJob::run(const JobControl &control)
+{
+    for (std::size_t view = 0; view < m_settings.videos.size(); ++view) {
+        if (auto read = readVideo(view, control.cancel); !read)
+            return read;
+    }
+    if (auto synchronised = synchronise(control); !synchronised)
+        return synchronised;
+    if (auto compared = compareViews(); !compared)
+        return compared;
+    for (std::size_t view = 0; view < m_settings.videos.size(); ++view) {
+        if (auto copied = copyVideo(view, control); !copied)
+            return copied;
+    }
+    return {};
+}
+
+Result<void> ImportTrialJob::readVideo(std::size_t view, const CancelToken &cancel)
+{
+    const auto &[camera, file] = m_settings.videos[view];
+    const auto reader = VideoReader::open(file, cancel);
+    if (!reader)
+        return tl::unexpected(reader.error());
+    const VideoInfo &info = (*reader)->info();
+    for (const std::string &warning : {info.warning, unevenRateWords(info.frameTimes)}) {
+        if (!warning.empty())
+            m_warnings.push_back("video '" + file.filename().string() + "': " + warning);
+    }
+    RecordingRecord recording;
+    recording.cameraName = camera;
+    recording.position = static_cast<int>(view);
+    recording.widthPx = info.format.width;
+    recording.heightPx = info.format.height;
+    recording.framesPerSecond = info.framesPerSecond;
+    recording.frameTimes = info.frameTimes;
+    if (m_settings.rate && info.framesPerSecond > 0) {
+        // The file plays at another rate than the camera took the pictures at (slow motion).
+        const double scale = info.framesPerSecond / *m_settings.rate;
+        for (Nanoseconds &time : recording.frameTimes)
+            time = fromSeconds(toSeconds(time) * scale);
+        recording.framesPerSecond = *m_settings.rate;
+    }
+    m_views[view].recording = recording;
+    m_recordings.push_back(std::move(recording));
+    return {};
+}
+
+/// Afterwards there is one step for each view but the first.
+Result<void> ImportTrialJob::checkSteps()
+{
+    const std::size_t others = m_settings.videos.size() - 1, given = m_settings.steps.size();
+    const bool forAll =
+        given == 0 ||
+        (given == 1 && (others == 0 || m_settings.steps.front().how != ImportSettings::Sync::Told));
+    if (given != others && !forAll)
+        return fail(ErrorCode::InvalidInput, "import of trial '" + m_settings.trial + "'",
+                    std::to_string(others + 1) + " views were given and the offsets of " +
+                        std::to_string(given),
+                    "give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto");
+    if (forAll)
+        m_settings.steps.resize(others, given > 0 ? m_settings.steps.front() : ImportSettings::ViewStep{});
+    return {};
+}
+
+Result<void> ImportTrialJob::synchronise(const JobControl &control)
+{
+    m_trial.syncMethod = "none";
+    std::vector<std::size_t> toFind;
+    for (std::size_t view = 1; view < m_recordings.size(); ++view) {
+        const ImportSettings::ViewStep &step = m_settings.steps[view - 1];
+        m_recordings[view].syncMethod = "none";
+        if (step.how == ImportSettings::Sync::Automatic)
+            toFind.push_back(view);
+        if (step.how == ImportSettings::Sync::Told) {
+            m_recordings[view].syncMethod = "told";
+            m_recordings[view].startOffsetS = step.offsetS;
+        }
+    }
+    if (!toFind.empty()) {
+        if (auto found = findOffsets(toFind, control); !found)
+            return found;
+    }
+    if (m_recordings.size() > 1) {
+        m_trial.syncMethod = m_recordings[1].syncMethod;
+        m_trial.syncOffsetS = m_recordings[1].startOffsetS;
+        m_trial.syncOffsetSigmaS = m_recordings[1].startOffsetSigmaS;
+        m_trial.syncRate = m_recordings[1].clockRate;
+        if (m_trial.syncMethod == "told")
+            m_trial.syncScore = 1;
+    }
+    return {};
+}
+
+Result<void> ImportTrialJob::findOffsets(const std::vector<std::size_t> &toFind, const JobControl &control)
+{
+    std::vector<RegisteredView> views{m_views.front()};
+    for (const std::size_t view : toFind)
+        views.push_back(m_views[view]);
+    const auto found = findClipOffsets(views, m_robots, control);
+    if (!found)
+        return tl::unexpected(found.error());
+    for (std::size_t i = 0; i < toFind.size(); ++i) {
+        RecordingRecord &recording = m_recordings[toFind[i]];
+        const Result<FoundOffset> &offset = (*found)[i];
+        const std::string what = "synchronisation of view '" + recording.cameraName + "': ";
+        if (!offset) {
+            m_warnings.push_back(what + offset.error().why + ", so it is taken as begun together; " +
+                                 offset.error().advice);
+            continue;
+        }
+        for (const std::string &remark : offset->remarks)
+            m_warnings.push_back(what + remark);
+        recording.syncMethod = offset->fromFlash ? "flash" : "auto";
+        recording.startOffsetS = offset->clock.offsetS;
+        recording.startOffsetSigmaS = offset->clock.sigmaS;
+        recording.clockRate = offset->clock.rate;
+        if (toFind[i] == 1) {
+            m_trial.syncRateSigma = offset->clock.rateSigma;
+            m_trial.syncScore = offset->clock.score;
+        }
+    }
+    return {};
+}
+
+Result<void> ImportTrialJob::compareViews()
+{
+    const double firstEndS = durationOf(m_recordings[0]);
+    m_trial.durationS = firstEndS;
+    for (std::size_t view = 1; view < m_recordings.size(); ++view) {
+        const RecordingRecord &other = m_recordings[view];
+        const double startS = other.startOffsetS, endS = startS + durationOf(other);
+        const double commonS = std::min(endS, firstEndS) - std::max(startS, 0.0);
+        if (commonS <= 0)
+            return fail(ErrorCode::InvalidInput, "import of trial '" + m_settings.trial + "'",
+                        "views '" + m_recordings[0].cameraName + "' and '" + other.cameraName +
+                            "' have no time in common with an offset of " + secondsText(startS),
+                        "check the files and the --sync offset");
+        if (commonS < 0.9 * std::max(firstEndS, durationOf(other)))
+            m_warnings.push_back(
+                "views '" + m_recordings[0].cameraName + "' and '" + other.cameraName +
+                "': " + secondsText(firstEndS) + " and " + secondsText(durationOf(other)) + " long, " +
+                secondsText(commonS) +
+                " in common; outside it only one view measures, so check that both belong to one run");
+        const double a = m_recordings[0].framesPerSecond, b = other.framesPerSecond;
+        if (a > 0 && b > 0 && std::abs(a - b) > 0.02 * a)
+            m_warnings.push_back(
+                "views '" + m_recordings[0].cameraName + "' and '" + other.cameraName +
+                "': " + std::to_string(std::lround(a)) + " and " + std::to_string(std::lround(b)) +
+                " frames/s; the views are joined by time, check --rate if one is slow motion");
+    }
+    return {};
+}
+
+Result<void> ImportTrialJob::copyVideo(std::size_t view, const JobControl &control)
+{
+    const auto &[camera, file] = m_settings.videos[view];
+    auto copy = copyIntoMedia(file, m_mediaFolder, m_settings.trial + "_" + camera, control);
+    if (!copy)
+        return tl::unexpected(copy.error());
+    m_recordings[view].path = files::absolute(copy->file.path()).string(); // stored relative to the project
+    m_recordings[view].sha256 = copy->sha256;
+    m_recordings[view].bytes = copy->bytes;
+    m_files.push_back(std::move(copy->file));
+    return {};
+}
+
+Result<void> ImportTrialJob::commit(Project &project)
+{
+    auto committed = project.note("import trial " + m_settings.trial, [&]() -> Result<void> {
+        for (RecordingRecord &recording : m_recordings) {
+            const auto camera = findOrAddCamera(project, recording.cameraName);
+            if (!camera)
+                return tl::unexpected(camera.error());
+            recording.camera = camera->id;
+        }
+        if (!m_settings.team.empty()) {
+            const auto team = findOrAddTeam(project, m_settings.team);
+            if (!team)
+                return tl::unexpected(team.error());
+            m_trial.team = team->id;
+        }
+        if (!m_settings.robots.empty()) {
+            for (const RobotRecord &robot : m_robots)
+                m_trial.robots.push_back(robot.id);
+        }
+        m_trial.date = m_settings.date.value_or(instantNow());
+        auto trial = project.trials().add(m_trial, m_recordings);
+        if (!trial)
+            return tl::unexpected(trial.error());
+        m_trial = std::move(*trial);
+        return {};
+    });
+    if (!committed)
+        return committed;
+    for (ClaimedFile &file : m_files)
+        file.keep();
+    m_files.clear();
+    return {};
+}
+
+} // namespace odo

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/files/claimed_file.h"
+#include "core/project/records.h"
+#include "core/workflow/job.h"
+#include "core/workflow/trial_sources.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace odo {
+
+struct ImportSettings
+{
+    enum class Sync { Automatic, None, Told };
+    /// How a view gets in step with the first one.
+    struct ViewStep
+    {
+        Sync how = Sync::Automatic;
+        double offsetS = 0; ///< when told: how much later its first frame was taken
+    };
+
+    std::string trial;
+    /// camera's name and file, first view first
+    std::vector<std::pair<std::string, std::filesystem::path>> videos;
+    /// for each view but the first; one that is not told goes for all, none is automatic
+    std::vector<ViewStep> steps;
+    std::string team; ///< made when new; empty: none
+    std::string task;
+    std::vector<std::string> robots;
+    std::optional<double> rate;  ///< of the camera, where the file's frame rate is another
+    std::optional<Instant> date; ///< empty: now
+};
+
+/// Brings the videos of one trial into the project: each is copied beside it (with its hash), its frame times
+/// are read, and the views are synchronised. An import that fails or is cancelled removes what it made, and
+/// only that.
+class ImportTrialJob : public Job
+{
+public:
+    explicit ImportTrialJob(ImportSettings settings);
+    ~ImportTrialJob() override;
+    Result<void> prepare(Project &project) override;
+    Result<void> run(const JobControl &control) override;
+    Result<void> commit(Project &project) override;
+
+    const TrialRecord &trial() const { return m_trial; }                            ///< after commit
+    const std::vector<RecordingRecord> &recordings() const { return m_recordings; } ///< after run
+    /// What the user should know although the import succeeded: unequal lengths, no synchronisation, damaged
+    /// ends.
+    const std::vector<std::string> &warnings() const { return m_warnings; }
+
+private:
+    Result<void> readVideo(std::size_t view, const CancelToken &cancel);
+    Result<void> copyVideo(std::size_t view, const JobControl &control);
+    Result<void> checkSteps();
+    Result<void> synchronise(const JobControl &control);
+    Result<void> findOffsets(const std::vector<std::size_t> &toFind, const JobControl &control);
+    Result<void> compareViews();
+
+    ImportSettings m_settings;
+    std::filesystem::path m_mediaFolder;
+    bool m_folderWasThere = true;
+    std::vector<RobotRecord> m_robots;
+    std::vector<RegisteredView> m_views; ///< only to synchronise
+    TrialRecord m_trial;
+    std::vector<RecordingRecord> m_recordings;
+    std::vector<ClaimedFile> m_files; ///< until they are the trial's
+    std::vector<std::string> m_warnings;
+};
+
+} // namespace odo

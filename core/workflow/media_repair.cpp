@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/media_repair.h"
+
+#include "core/base/file_system.h"
+#include "core/project/project.h"
+#include "core/project/project_media.h"
+#include "core/project/recording_rows.h"
+#include "core/project/repositories.h"
+#include "core/video/video_input.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace odo {
+
+namespace {
+
+/// Files of one of these sizes, so that only they are read.
+Result<std::vector<std::filesystem::path>> filesOfSizes(const std::filesystem::path &folder,
+                                                        const std::vector<RecordingRecord> &lost,
+                                                        const JobControl &control)
+{
+    std::vector<std::filesystem::path> files;
+    std::error_code problem;
+    const auto visit = [&](const std::filesystem::path &file) {
+        std::error_code unknown;
+        const auto bytes = static_cast<std::int64_t>(files::sizeOf(file, unknown));
+        if (!unknown && std::ranges::find(lost, bytes, &RecordingRecord::bytes) != lost.end())
+            files.push_back(file);
+        return !control.isCancelled();
+    };
+    files::eachFileBelow(folder, visit, problem);
+    if (control.isCancelled())
+        return cancelled("look for lost videos");
+    if (problem)
+        return fail(ErrorCode::Io, "look in '" + folder.string() + "'", problem.message(),
+                    "check that the folder is there and may be read");
+    return files;
+}
+
+} // namespace
+
+Result<void> RelinkJob::prepare(Project &project)
+{
+    m_project = project.file();
+    return {};
+}
+
+Result<void> RelinkJob::findLost()
+{
+    const auto project = Project::openAgain(m_project, Project::Access::ReadOnly);
+    if (!project)
+        return tl::unexpected(project.error());
+    const auto trials = (*project)->trials().names();
+    if (!trials)
+        return tl::unexpected(trials.error());
+    std::set<RecordId> unfinished;
+    for (const TrialName &trial : *trials)
+        if (trial.unfinished)
+            unfinished.insert(trial.id);
+    auto recordings = (*project)->trials().allRecordings();
+    if (!recordings)
+        return tl::unexpected(recordings.error());
+    for (RecordingRecord &recording : *recordings)
+        if (!unfinished.contains(recording.trial) && !files::exists((*project)->resolve(recording)))
+            m_lost.push_back(std::move(recording));
+    if (m_lost.empty())
+        return fail(ErrorCode::NotFound, "lost videos", "no video of this project is lost",
+                    "there is nothing to do");
+    return {};
+}
+
+Result<void> RelinkJob::run(const JobControl &control)
+{
+    if (auto found = findLost(); !found)
+        return found;
+    control.report(0, "looking for files");
+    const auto files = filesOfSizes(m_folder, m_lost, control);
+    if (!files)
+        return tl::unexpected(files.error());
+    if (auto looked = look(*files, control); !looked)
+        return looked;
+    if (m_found.empty())
+        return fail(ErrorCode::NotFound, "look in '" + m_folder.string() + "'",
+                    m_lost.size() == 1
+                        ? "the lost video is not there"
+                        : "none of the " + std::to_string(m_lost.size()) + " lost videos is there",
+                    "choose the folder where they were copied to");
+    return {};
+}
+
+Result<void> RelinkJob::look(const std::vector<std::filesystem::path> &files, const JobControl &control)
+{
+    for (std::size_t i = 0; i < files.size() && m_found.size() < m_lost.size(); ++i) {
+        control.report(static_cast<double>(i) / static_cast<double>(files.size()),
+                       "reading " + files[i].filename().string());
+        const auto hash = fileSha256(files[i], control);
+        if (!hash && hash.error().code == ErrorCode::Cancelled)
+            return tl::unexpected(hash.error());
+        if (!hash)
+            continue; // what cannot be read cannot be one of them
+        for (const RecordingRecord &lost : m_lost) {
+            const bool isKnown = std::ranges::find(m_found, lost.id, &Found::recording) != m_found.end();
+            if (!isKnown && lost.sha256 == *hash) // one video may be of several trials
+                m_found.push_back({lost.id, files[i]});
+        }
+    }
+    return {};
+}
+
+Result<void> RelinkJob::commit(Project &project)
+{
+    const std::string words =
+        m_found.size() == 1 ? "link a lost video" : "link " + std::to_string(m_found.size()) + " lost videos";
+    return project.change(words, [&]() -> Result<void> {
+        for (const Found &found : m_found) {
+            if (auto linked = project.trials().setFile(found.recording, files::absolute(found.file)); !linked)
+                return linked;
+        }
+        return {};
+    });
+}
+
+namespace {
+
+constexpr const char *cameraOfUnnamed = "A", *inTheMaking = ".part";
+
+/// A stray video by its name, NAME_CAMERA: the camera is the longest of the project's that fits, else what
+/// stands behind the last '_'.
+struct StrayView
+{
+    std::string trial, camera;
+};
+
+StrayView viewOf(const std::filesystem::path &file, const std::vector<CameraRecord> &cameras)
+{
+    const std::string stem = file.stem().string();
+    StrayView view{stem, {}};
+    for (const CameraRecord &camera : cameras) {
+        if (stem.size() > camera.name.size() + 1 && stem.ends_with('_' + camera.name) &&
+            camera.name.size() > view.camera.size())
+            view = {stem.substr(0, stem.size() - camera.name.size() - 1), camera.name};
+    }
+    const auto last = stem.rfind('_');
+    if (view.camera.empty() && last != std::string::npos && last > 0 && last + 1 < stem.size())
+        view = {stem.substr(0, last), stem.substr(last + 1)};
+    return view.camera.empty() ? StrayView{stem, cameraOfUnnamed} : view;
+}
+
+std::string freeTrialName(const std::string &name, std::set<std::string> &taken)
+{
+    std::string free = "recovered: " + name;
+    for (int number = 2; !taken.insert(free).second; ++number)
+        free = "recovered: " + name + " (" + std::to_string(number) + ")";
+    return free;
+}
+
+} // namespace
+
+Result<void> FindStraysJob::prepare(Project &project)
+{
+    m_project = project.file();
+    return {};
+}
+
+Result<void> FindStraysJob::run(const JobControl &control)
+{
+    control.report(0, "looking through the media folder");
+    const auto project = Project::openAgain(m_project, Project::Access::ReadOnly);
+    if (!project)
+        return tl::unexpected(project.error());
+    auto found = strayMedia(**project, control);
+    if (!found)
+        return tl::unexpected(found.error());
+    m_strays = std::move(found->files);
+    for (const auto *some : {&found->foreign, &found->lost, &found->projects})
+        m_others.insert(m_others.end(), some->begin(), some->end());
+    for (const std::filesystem::path &file : m_strays) {
+        if (control.isCancelled())
+            return cancelled("look for stray files");
+        // a link leads to what is somebody else's
+        const bool isFile = files::kindOfItself(file) == files::Kind::File;
+        if (isFile && file.extension() != inTheMaking && VideoInput::open(file))
+            m_videos.push_back(file);
+    }
+    return {};
+}
+
+Result<void> AdoptStraysJob::prepare(Project &project)
+{
+    const auto cameras = project.cameras().all();
+    const auto names = project.trials().names();
+    if (!cameras || !names)
+        return tl::unexpected(cameras ? names.error() : cameras.error());
+    std::set<std::string> taken;
+    for (const TrialName &trial : *names)
+        taken.insert(trial.name);
+    std::map<std::string, std::map<std::string, std::filesystem::path>> videos; // of each trial, by camera
+    for (const std::filesystem::path &file : m_videos) {
+        const StrayView view = viewOf(file, *cameras);
+        if (!videos[view.trial].emplace(view.camera, file).second)
+            videos[file.filename().string()].emplace(view.camera, file);
+    }
+    for (const auto &[name, files] : videos) {
+        ImportSettings settings;
+        settings.trial = freeTrialName(name, taken);
+        settings.videos.assign(files.begin(), files.end());
+        auto import = std::make_unique<ImportTrialJob>(std::move(settings));
+        if (auto prepared = import->prepare(project); !prepared)
+            return prepared;
+        m_imports.push_back(std::move(import));
+    }
+    return {};
+}
+
+Result<void> AdoptStraysJob::run(const JobControl &control)
+{
+    for (std::unique_ptr<ImportTrialJob> &import : m_imports) {
+        auto done = import->run(control);
+        if (!done && done.error().code == ErrorCode::Cancelled)
+            return done;
+        if (!done) {
+            m_failures.push_back(done.error());
+            import.reset();
+        }
+    }
+    return {};
+}
+
+Result<void> AdoptStraysJob::commit(Project &project)
+{
+    for (const std::unique_ptr<ImportTrialJob> &import : m_imports) {
+        if (!import)
+            continue;
+        if (auto done = import->commit(project); !done)
+            return done;
+        m_trials.push_back(import->trial().name);
+    }
+    m_imports.clear();
+    return {};
+}
+
+Result<void> RemoveStraysJob::prepare(Project &project)
+{
+    m_project = project.file();
+    return {};
+}
+
+Result<void> RemoveStraysJob::run(const JobControl &control)
+{
+    const auto project = Project::openAgain(m_project, Project::Access::ReadOnly);
+    if (!project)
+        return tl::unexpected(project.error());
+    for (const std::filesystem::path &file : m_strays) {
+        if (control.isCancelled())
+            return cancelled("remove stray files");
+        const auto removed = removeStray(**project, file);
+        if (!removed)
+            return tl::unexpected(removed.error());
+        if (*removed)
+            m_removed.push_back(file);
+    }
+    return {};
+}
+
+} // namespace odo

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/records.h"
+#include "core/workflow/import/import_trial_job.h"
+#include "core/workflow/job.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+/// Looks for the lost videos of a project in a folder and all below it, by their content: a file counts when
+/// its size and its SHA-256 are those of the recording, whatever its name is. What is found is linked where
+/// it lies, as one change that can be undone.
+class RelinkJob : public Job
+{
+public:
+    explicit RelinkJob(std::filesystem::path folder) : m_folder(std::move(folder)) {}
+    Result<void> prepare(Project &project) override;
+    /// NotFound where no video is lost, or none of them lies there.
+    Result<void> run(const JobControl &control) override;
+    Result<void> commit(Project &project) override;
+
+    std::size_t lostCount() const { return m_lost.size(); }   ///< after run
+    std::size_t foundCount() const { return m_found.size(); } ///< after run
+
+private:
+    struct Found
+    {
+        RecordId recording = 0;
+        std::filesystem::path file;
+    };
+    Result<void> findLost();
+    Result<void> look(const std::vector<std::filesystem::path> &files, const JobControl &control);
+
+    const std::filesystem::path m_folder;
+    std::filesystem::path m_project;
+    std::vector<RecordingRecord> m_lost;
+    std::vector<Found> m_found;
+};
+
+/// Finds the files in the media folder that nothing in the project refers to (strayMedia), and which of them
+/// are whole videos.
+class FindStraysJob : public Job
+{
+public:
+    Result<void> prepare(Project &project) override;
+    Result<void> run(const JobControl &control) override;
+    Result<void> commit(Project &) override { return {}; }
+
+    /// after run: those that RemoveStraysJob takes
+    const std::vector<std::filesystem::path> &strays() const { return m_strays; }
+    /// after run: what stays in any case (StrayMedia)
+    const std::vector<std::filesystem::path> &others() const { return m_others; }
+    /// after run: those that AdoptStraysJob takes
+    const std::vector<std::filesystem::path> &videos() const { return m_videos; }
+
+private:
+    std::filesystem::path m_project;
+    std::vector<std::filesystem::path> m_strays, m_others, m_videos;
+};
+
+/// Makes trials "recovered: NAME" of stray videos, which stay where they are. Videos whose names differ only
+/// in the camera, as recordings and imports are called (NAME_CAMERA), become the views of one trial.
+class AdoptStraysJob : public Job
+{
+public:
+    explicit AdoptStraysJob(std::vector<std::filesystem::path> videos) : m_videos(std::move(videos)) {}
+    Result<void> prepare(Project &project) override;
+    Result<void> run(const JobControl &control) override;
+    Result<void> commit(Project &project) override;
+
+    const std::vector<std::string> &trials() const { return m_trials; } ///< after commit
+    /// After run: why videos were left, one a trial that could not be made.
+    const std::vector<Error> &failures() const { return m_failures; }
+
+private:
+    const std::vector<std::filesystem::path> m_videos;
+    std::vector<std::unique_ptr<ImportTrialJob>> m_imports;
+    std::vector<std::string> m_trials;
+    std::vector<Error> m_failures;
+};
+
+/// Removes stray files. What has become a trial's meanwhile, or is being written, stays.
+class RemoveStraysJob : public Job
+{
+public:
+    explicit RemoveStraysJob(std::vector<std::filesystem::path> strays) : m_strays(std::move(strays)) {}
+    Result<void> prepare(Project &project) override;
+    Result<void> run(const JobControl &control) override;
+    Result<void> commit(Project &) override { return {}; }
+
+    const std::vector<std::filesystem::path> &removed() const { return m_removed; } ///< after run
+
+private:
+    const std::vector<std::filesystem::path> m_strays;
+    std::filesystem::path m_project;
+    std::vector<std::filesystem::path> m_removed;
+};
+
+} // namespace odo

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/project_copy.h"
+
+#include "core/base/error.h"
+#include "core/base/file_system.h"
+#include "core/files/output_file.h"
+#include "core/files/temporary.h"
+#include "core/project/new_file.h"
+#include "core/project/project.h"
+#include "core/project/project_media.h"
+#include "core/project/recording_rows.h"
+#include "core/project/repositories.h"
+#include "core/video/video_input.h"
+
+#include <map>
+#include <set>
+
+namespace odo {
+
+Result<void> CopyJob::prepare(Project &project)
+{
+    m_project = project.file();
+    return {};
+}
+
+Result<void> CopyJob::run(const JobControl &control)
+{
+    if (auto may = checkNewProject(m_copy, "copy '" + m_copy.filename().string() + "'"); !may)
+        return may;
+    control.report(0, "copying the project");
+    const auto project = Project::openAgain(m_project, Project::Access::ReadOnly);
+    if (!project)
+        return tl::unexpected(project.error());
+    if (auto saved = (*project)->saveCopy(m_copy); !saved)
+        return saved;
+    if (!control.isCancelled())
+        return {};
+    files::remove(m_copy);
+    return cancelled("copy '" + m_copy.filename().string() + "'");
+}
+
+namespace {
+
+/// Locks and files in the making belong to nobody.
+bool belongs(const std::filesystem::path &file)
+{
+    return file.extension() != ".lock" && file.extension() != ".part";
+}
+
+void addFilesBelow(const std::filesystem::path &folder, const std::filesystem::path &media,
+                   std::vector<std::filesystem::path> &files, std::error_code &problem)
+{
+    const std::vector<std::string> names = files::namesIn(folder, problem);
+    for (auto name = names.begin(); !problem && name != names.end(); ++name) {
+        const std::filesystem::path file = folder / *name;
+        if (files::kindOfItself(file) == files::Kind::Folder)
+            addFilesBelow(file, media, files, problem);
+        else if (files::isFile(file) && belongs(file) && isOwnMedia(file, media))
+            files.push_back(file);
+    }
+}
+
+/// All that belongs to a project's media; none where there is no folder. Links that lead out of it are left.
+/// A folder that cannot be read is an error, for what lies in it would be missing.
+Result<std::vector<std::filesystem::path>> filesIn(const std::filesystem::path &folder)
+{
+    std::vector<std::filesystem::path> files;
+    std::error_code problem;
+    addFilesBelow(folder, folder, files, problem);
+    if (problem && problem != std::errc::no_such_file_or_directory)
+        return fail(ErrorCode::Io, "pack '" + folder.string() + "'", problem.message(),
+                    "check that it is there and may be read");
+    return files;
+}
+
+/// Whether a file from elsewhere is the video that the recording was made of. A project may come from anyone
+/// and name any file of whoever packs it.
+Result<bool> isItsVideo(const std::filesystem::path &file, const RecordingRecord &recording,
+                        const JobControl &control)
+{
+    std::error_code problem;
+    const auto bytes = files::sizeOf(file, problem);
+    if (problem || bytes != static_cast<std::uintmax_t>(recording.bytes))
+        return false;
+    if (recording.sha256.empty())
+        return VideoInput::open(file).has_value();
+    return fileSha256(file, control).map([&](const std::string &sha256) {
+        return sha256 == recording.sha256;
+    });
+}
+
+std::string freeName(const std::filesystem::path &file, std::set<std::string> &taken)
+{
+    std::string name = file.filename().string();
+    for (int number = 2; !taken.insert(name).second; ++number)
+        name = file.stem().string() + "_" + std::to_string(number) + file.extension().string();
+    return name;
+}
+
+} // namespace
+
+Result<void> PackJob::prepare(Project &project)
+{
+    m_project = realProjectFile(project.file()); // whose name its media folder has
+    m_mediaFolder = project.mediaFolder();
+    return checkOutput(m_archive, FileKind::Zip).map([](const OutputPlace &) {});
+}
+
+/// Which videos come from elsewhere, and which are lost or replaced.
+Result<void> PackJob::look(Project &project, const JobControl &control)
+{
+    const auto trials = project.trials().names();
+    if (!trials)
+        return tl::unexpected(trials.error());
+    std::map<RecordId, std::string> names;
+    for (const TrialName &trial : *trials) {
+        if (trial.unfinished)
+            return fail(ErrorCode::InvalidInput, "pack '" + m_project.filename().string() + "'",
+                        "trial '" + trial.name + "' is being recorded", "end its recording first");
+        names.emplace(trial.id, trial.name);
+    }
+    const auto recordings = project.trials().allRecordings();
+    if (!recordings)
+        return tl::unexpected(recordings.error());
+    for (const RecordingRecord &recording : *recordings) {
+        const std::filesystem::path file = project.resolve(recording);
+        const std::string &trial = names[recording.trial];
+        if (!files::exists(file)) {
+            m_warnings.push_back("the video of camera " + recording.cameraName + " in trial '" + trial +
+                                 "' is lost, and not in the packed project");
+        } else if (!isOwnMedia(file, m_mediaFolder)) {
+            const auto isIts = isItsVideo(file, recording, control);
+            if (!isIts)
+                return tl::unexpected(isIts.error());
+            if (*isIts) {
+                m_elsewhere.push_back({recording.id, file});
+                m_inputs.add(file);
+            } else {
+                m_warnings.push_back(
+                    "the video of camera " + recording.cameraName + " in trial '" + trial +
+                    "' lies elsewhere and is another file than it was, and not in the packed project");
+            }
+        }
+    }
+    return {};
+}
+
+/// A copy whose recordings all lie in its media folder; notes them as entries.
+Result<void> PackJob::copyProject(const std::filesystem::path &copy, std::vector<ArchiveEntry> &entries,
+                                  const JobControl &control)
+{
+    {
+        const auto original = Project::openAgain(m_project, Project::Access::ReadOnly);
+        if (!original)
+            return tl::unexpected(original.error());
+        if (auto looked = look(**original, control); !looked)
+            return looked;
+        if (auto saved = (*original)->saveCopy(copy); !saved)
+            return saved;
+    }
+    entries.push_back({m_project.filename().string(), copy});
+    const std::string media = m_mediaFolder.filename().string() + "/";
+    const auto files = filesIn(m_mediaFolder);
+    if (!files)
+        return tl::unexpected(files.error());
+    std::set<std::string> taken;
+    for (const std::filesystem::path &file : *files) {
+        const std::string name = file.lexically_relative(m_mediaFolder).generic_string();
+        taken.insert(name);
+        entries.push_back({media + name, file});
+    }
+    if (m_elsewhere.empty())
+        return {};
+    const auto project = Project::open(copy, Project::Access::ReadWrite);
+    if (!project)
+        return tl::unexpected(project.error());
+    for (const Elsewhere &each : m_elsewhere) {
+        const std::string name = media + freeName(each.file, taken);
+        entries.push_back({name, each.file});
+        if (auto done = (*project)->trials().setFile(each.recording, copy.parent_path() / name); !done)
+            return done;
+    }
+    return {};
+}
+
+Result<void> PackJob::run(const JobControl &control)
+{
+    // Beside the archive: there is room for it, or there is none at all.
+    const auto work = TemporaryFolder::make(files::absolute(m_archive.file).parent_path(),
+                                            "file '" + m_archive.file.string() + "'");
+    if (!work)
+        return tl::unexpected(work.error());
+    const std::filesystem::path copy = (*work)->path() / m_project.filename();
+    std::vector<ArchiveEntry> entries;
+    control.report(0, "copying the project");
+    if (auto copied = copyProject(copy, entries, control); !copied)
+        return copied;
+    return writeArchive(m_archive, entries, control);
+}
+
+namespace {
+
+template <class Record, class Take>
+Result<void> takeAll(const Result<std::vector<Record>> &records, const Take &take)
+{
+    if (!records)
+        return tl::unexpected(records.error());
+    for (const Record &record : *records)
+        if (Result<void> taken = take(record); !taken)
+            return taken;
+    return {};
+}
+
+/// Without the pictures that it was calibrated from.
+Result<void> takeLens(Project &from, RecordId camera, Project &to, RecordId newCamera)
+{
+    auto lens = from.cameras().currentIntrinsics(camera);
+    if (!lens || !*lens)
+        return lens ? Result<void>() : tl::unexpected(lens.error());
+    IntrinsicsRecord taken = **lens;
+    taken.camera = newCamera;
+    taken.files.clear();
+    return withoutValue(to.cameras().addIntrinsics(taken));
+}
+
+Result<void> takeSetUp(Project &from, Project &to, const JobControl &control)
+{
+    const auto camera = [&](const CameraRecord &record) -> Result<void> {
+        if (control.isCancelled())
+            return cancelled("new project");
+        const auto added = to.cameras().add(record);
+        return added ? takeLens(from, record.id, to, added->id) : tl::unexpected(added.error());
+    };
+    const auto layout = [&](const LayoutRecord &record) {
+        return withoutValue(to.layouts().add(record.layout));
+    };
+    const auto robot = [&](const RobotRecord &record) { return withoutValue(to.robots().add(record)); };
+    const auto task = [&](const TaskRecord &record) -> Result<void> {
+        const auto scoring = from.tasks().scoring(record.id);
+        const auto added = to.tasks().add(record);
+        if (!scoring || !added)
+            return tl::unexpected(scoring ? added.error() : scoring.error());
+        return scoring->empty() ? Result<void>() : to.tasks().setScoring(added->id, *scoring);
+    };
+    if (auto taken = takeAll(from.cameras().all(), camera); !taken)
+        return taken;
+    if (auto taken = takeAll(from.layouts().all(), layout); !taken)
+        return taken;
+    if (auto taken = takeAll(from.robots().all(), robot); !taken)
+        return taken;
+    return takeAll(from.tasks().current(), task);
+}
+
+/// In place of the empty file that is there. Closed it is one file, with everything in it.
+Result<void> makeFilled(Project &from, const std::filesystem::path &file, const std::string &title,
+                        const JobControl &control)
+{
+    files::remove(file);
+    const auto original = from.title();
+    if (!original)
+        return tl::unexpected(original.error());
+    const auto to = Project::create(file, title);
+    if (!to)
+        return tl::unexpected(to.error());
+    return (*to)->note("take over the set-up of " + *original,
+                       [&] { return takeSetUp(from, **to, control); });
+}
+
+} // namespace
+
+Result<std::filesystem::path> makeProjectLike(const std::filesystem::path &original,
+                                              const std::filesystem::path &file, const std::string &title,
+                                              const JobControl &control)
+{
+    control.report(0, "taking over the set-up");
+    const auto from = Project::openAgain(original, Project::Access::ReadOnly);
+    if (!from)
+        return tl::unexpected(from.error());
+    const std::string what = "project '" + file.string() + "'";
+    if (auto may = checkNewProject(file, what); !may)
+        return tl::unexpected(may.error());
+    NewFile made(file, what);
+    if (auto ready = made.prepare(); !ready)
+        return tl::unexpected(ready.error());
+    if (auto filled = makeFilled(**from, made.temporary(), title, control); !filled)
+        return tl::unexpected(filled.error());
+    if (auto published = made.publish(); !published)
+        return tl::unexpected(published.error());
+    return file;
+}
+
+} // namespace odo

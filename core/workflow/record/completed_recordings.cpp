@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/record/completed_recordings.h"
+
+#include "core/base/file_system.h"
+#include "core/capture/recording_outcome.h"
+#include "core/project/project.h"
+#include "core/project/project_media.h"
+#include "core/project/recording_rows.h"
+#include "core/project/repositories.h"
+#include "core/video/video_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+
+namespace odo {
+
+namespace {
+
+/// The raw times of the pictures that are in the file: no more of them, and no fewer.
+void fit(std::vector<RawTime> &pictures, const std::vector<Nanoseconds> &fileTimes)
+{
+    if (fileTimes.empty())
+        return pictures.clear();
+    pictures.resize(std::min(pictures.size(), fileTimes.size()));
+    if (pictures.empty())
+        pictures.push_back({});
+    const RawTime last = pictures.back();
+    const Nanoseconds lastInFile = fileTimes[pictures.size() - 1];
+    for (std::size_t i = pictures.size(); i < fileTimes.size(); ++i) {
+        const Nanoseconds since = fileTimes[i] - lastInFile;
+        pictures.push_back({last.sequence, last.device + since, last.arrival + since});
+    }
+}
+
+/// Of a file that cannot be played: whether it holds nothing but the beginning of one. Not told by its name
+/// alone, so that nothing is ever thrown away that somebody might still get a picture out of.
+bool hasNoPicture(const std::filesystem::path &file)
+{
+    constexpr std::uintmax_t mostWithout = 65536;
+    std::error_code problem;
+    if (files::sizeOf(file, problem) > mostWithout || problem)
+        return false;
+    std::ifstream stream(file, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    return !stream.bad() && bytes.find("\xff\xd8\xff") == std::string::npos; // how a JPEG picture begins
+}
+
+} // namespace
+
+Result<void> RecoverJob::prepare(Project &project)
+{
+    const auto trials = project.trials().all();
+    if (!trials)
+        return tl::unexpected(trials.error());
+    if (std::ranges::none_of(*trials, &TrialRecord::unfinished))
+        return {};
+    // else it was moved away: an empty one in its place would be in the way
+    if (files::isFolder(project.mediaFolder())) {
+        auto lock = RecordingLock::take(project.mediaFolder());
+        if (!lock)
+            return lock.error().code == ErrorCode::AlreadyExists ? Result<void>()
+                                                                 : tl::unexpected(lock.error());
+        m_lock = std::move(*lock);
+    }
+    m_mediaFolder = project.mediaFolder();
+    for (const TrialRecord &trial : *trials) {
+        if (!trial.unfinished)
+            continue;
+        Unfinished unfinished{trial, {}, {}, {}, {}};
+        const auto recordings = project.trials().recordings(trial.id);
+        if (!recordings)
+            return tl::unexpected(recordings.error());
+        for (const RecordingRecord &record : *recordings) {
+            auto times = project.trials().rawTimes(record.id);
+            if (!times)
+                return tl::unexpected(times.error());
+            unfinished.views.push_back({record, project.resolve(record), std::move(*times)});
+        }
+        m_trials.push_back(std::move(unfinished));
+    }
+    return {};
+}
+
+Result<void> RecoverJob::run(const JobControl &control)
+{
+    for (std::size_t i = 0; i < m_trials.size(); ++i) {
+        control.report(static_cast<double>(i) / static_cast<double>(m_trials.size()),
+                       "completing a recording that was cut off");
+        if (control.isCancelled())
+            return cancelled("completing the recordings");
+        if (auto recovered = recover(m_trials[i], control.cancel); !recovered)
+            return recovered;
+    }
+    return {};
+}
+
+Result<void> RecoverJob::recover(Unfinished &unfinished, const CancelToken &cancel) const
+{
+    std::vector<EndedView> ended;
+    for (View &view : unfinished.views) {
+        if (!files::exists(view.file) && (!view.times.pictures.empty() || !m_lock)) {
+            unfinished.missing = view.file.string();
+            return {};
+        }
+        const auto reader = VideoReader::open(view.file, cancel);
+        if (!reader && reader.error().code == ErrorCode::Cancelled)
+            return tl::unexpected(reader.error());
+        if (!reader) { // it was cut off before a picture was on the disk
+            if (view.times.pictures.empty() && isOwnMedia(view.file, m_mediaFolder) &&
+                hasNoPicture(view.file))
+                unfinished.empty.push_back(view.file);
+            continue;
+        }
+        const VideoInfo &info = (*reader)->info();
+        EndedView one{view.record, view.file, {}, 0, !view.times.pictures.empty()};
+        fit(view.times.pictures, info.frameTimes);
+        DerivedTimes derived = deriveTimes(view.times);
+        one.taken = std::move(derived.taken);
+        one.clockSigmaS = derived.sigmaS;
+        one.record.widthPx = info.format.width;
+        one.record.heightPx = info.format.height;
+        ended.push_back(std::move(one));
+    }
+    auto recordings = describeRecordings(ended);
+    if (!recordings)
+        return tl::unexpected(recordings.error());
+    unfinished.recordings = std::move(*recordings);
+    return {};
+}
+
+Result<void> RecoverJob::commit(Project &project)
+{
+    for (Unfinished &unfinished : m_trials) {
+        if (auto completed = complete(project, unfinished); !completed)
+            return completed;
+    }
+    m_lock.reset();
+    return {};
+}
+
+Result<void> RecoverJob::complete(Project &project, Unfinished &unfinished)
+{
+    TrialRecord &trial = unfinished.trial;
+    const std::string who = "trial '" + trial.name + "': its recording was cut off; ";
+    if (!unfinished.missing.empty()) {
+        m_told.push_back(who + unfinished.missing +
+                         " is missing: put the file back in its place, and open the project again");
+        return {};
+    }
+    if (unfinished.recordings.empty()) {
+        m_told.push_back(who + "nothing of it had reached the disk, and it is left out: record it again");
+        if (auto removed = project.note("leave out " + trial.name + ", of which nothing was recorded",
+                                        [&] { return project.trials().removeUnfinished(trial.id); });
+            !removed)
+            return removed;
+        removeEmpty(unfinished);
+        return {};
+    }
+    describeTrial(trial, unfinished.recordings);
+    char words[96];
+    std::snprintf(words, sizeof words, "%.1f s of %zu %s are kept, all but the last second at most",
+                  trial.durationS, unfinished.recordings.size(),
+                  unfinished.recordings.size() == 1 ? "view" : "views");
+    m_told.push_back(who + words);
+    if (auto completed =
+            project.note("complete " + trial.name + ", whose recording was cut off",
+                         [&] { return project.trials().complete(trial, unfinished.recordings); });
+        !completed)
+        return completed;
+    removeEmpty(unfinished);
+    return {};
+}
+
+void RecoverJob::removeEmpty(const Unfinished &unfinished)
+{
+    for (const std::filesystem::path &file : unfinished.empty)
+        files::remove(file);
+}
+
+Result<std::vector<std::string>> recoverTrials(Project &project, const JobControl &control)
+{
+    RecoverJob job;
+    if (auto prepared = job.prepare(project); !prepared)
+        return tl::unexpected(prepared.error());
+    if (!job.isNeeded())
+        return std::vector<std::string>{};
+    if (auto done = job.run(control); !done)
+        return tl::unexpected(done.error());
+    if (auto done = job.commit(project); !done)
+        return tl::unexpected(done.error());
+    HashJob hashes;
+    if (auto done = runToEnd(hashes, project, control); !done)
+        return tl::unexpected(done.error());
+    return job.told();
+}
+
+Result<void> HashJob::prepare(Project &project)
+{
+    const auto recordings = project.trials().unhashed();
+    if (!recordings)
+        return tl::unexpected(recordings.error());
+    for (const RecordingRecord &recording : *recordings) {
+        File file{recording.id, project.resolve(recording), recording.bytes, {}};
+        std::error_code problem;
+        const std::uintmax_t bytes = files::sizeOf(file.path, problem);
+        if (!problem && bytes == static_cast<std::uintmax_t>(file.bytes))
+            m_files.push_back(std::move(file));
+    }
+    return {};
+}
+
+Result<void> HashJob::run(const JobControl &control)
+{
+    for (std::size_t i = 0; i < m_files.size(); ++i) {
+        control.report(static_cast<double>(i) / static_cast<double>(m_files.size()),
+                       "making the hash of " + m_files[i].path.filename().string());
+        auto hash = fileSha256(m_files[i].path, control);
+        if (hash)
+            m_files[i].sha256 = std::move(*hash);
+        else if (hash.error().code == ErrorCode::Cancelled)
+            return tl::unexpected(hash.error());
+    }
+    return {};
+}
+
+Result<void> HashJob::commit(Project &project)
+{
+    return project.inTransaction([&]() -> Result<void> {
+        for (const File &file : m_files) {
+            if (file.sha256.empty())
+                continue;
+            if (auto kept = project.trials().setHash(file.recording, file.sha256); !kept)
+                return kept;
+        }
+        return {};
+    });
+}
+
+namespace {
+
+void putInStep(RecordingRecord &record, const EndedView &view, const EndedView &first)
+{
+    if (!view.clockKnown || !first.clockKnown) {
+        record.syncMethod = "none";
+        return;
+    }
+    record.syncMethod = "clock";
+    record.startOffsetS = toSeconds(view.taken.front() - first.taken.front());
+    record.startOffsetSigmaS = std::hypot(view.clockSigmaS, first.clockSigmaS);
+}
+
+} // namespace
+
+Result<std::vector<RecordingRecord>> describeRecordings(const std::vector<EndedView> &views)
+{
+    std::vector<RecordingRecord> records;
+    const EndedView *first = nullptr;
+    for (const EndedView &view : views) {
+        if (view.taken.empty())
+            continue;
+        RecordingRecord record = view.record;
+        record.position = static_cast<int>(records.size());
+        record.frameTimes.clear();
+        for (const Nanoseconds taken : view.taken)
+            record.frameTimes.push_back(taken - view.taken.front());
+        const double lengthS = toSeconds(record.frameTimes.back());
+        record.framesPerSecond = lengthS > 0 ? static_cast<double>(view.taken.size() - 1) / lengthS : 0;
+        if (!first)
+            first = &view;
+        else
+            putInStep(record, view, *first);
+        std::error_code problem;
+        record.bytes = static_cast<std::int64_t>(files::sizeOf(view.file, problem));
+        if (problem)
+            return fail(ErrorCode::Io, "file '" + view.file.string() + "'",
+                        "it cannot be looked at (" + problem.message() + ")",
+                        "check that the file is there and may be read");
+        records.push_back(std::move(record));
+    }
+    return records;
+}
+
+void describeTrial(TrialRecord &trial, const std::vector<RecordingRecord> &recordings)
+{
+    trial.durationS = toSeconds(recordings.front().frameTimes.back());
+    trial.syncMethod = "none";
+    if (recordings.size() < 2)
+        return;
+    trial.syncMethod = recordings[1].syncMethod;
+    trial.syncOffsetS = recordings[1].startOffsetS;
+    trial.syncOffsetSigmaS = recordings[1].startOffsetSigmaS;
+    trial.syncScore = trial.syncMethod == "clock" ? 1 : 0;
+}
+
+} // namespace odo

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/record/live_trial.h"
+
+#include "core/base/file_system.h"
+#include "core/project/project.h"
+#include "core/project/records.h"
+#include "core/project/repositories.h"
+#include "core/workflow/calibrate/cameras.h"
+#include "core/workflow/media_copy.h"
+#include "core/workflow/record/completed_recordings.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace odo {
+
+namespace {
+
+constexpr double slowFromS = 1;
+
+std::string picturesText(std::uint64_t count)
+{
+    return std::to_string(count) + (count == 1 ? " picture was" : " pictures were");
+}
+
+} // namespace
+
+Result<std::shared_ptr<LiveTrial>> LiveTrial::begin(Project &project, TrialRecord trial,
+                                                    const std::vector<std::string> &cameras,
+                                                    CaptureSession &session, Nanoseconds preRoll)
+{
+    // Its disk may have been taken out of the file system: then the media folder would be made on another
+    // one.
+    if (!files::exists(project.file()))
+        return fail(ErrorCode::NotFound, "recording of trial '" + trial.name + "'",
+                    "the project's file is no longer there",
+                    "put its disk or folder back where it was; nothing was recorded");
+    auto lock = RecordingLock::take(project.mediaFolder());
+    if (!lock)
+        return tl::unexpected(lock.error());
+    std::shared_ptr<LiveTrial> live(new LiveTrial(session, std::move(*lock)));
+    live->m_trial = std::move(trial);
+    live->m_trial.date = instantNow();
+    live->m_trial.syncMethod = "none";
+    if (auto added = project.inTransaction([&] { return live->addTo(project, cameras); }); !added)
+        return tl::unexpected(added.error());
+    std::vector<std::filesystem::path> files;
+    for (View &view : live->m_views) {
+        view.file.keep(); // it is the trial's
+        files.push_back(view.file.path());
+    }
+    session.startRecording(files, preRoll);
+    live->m_recording = true;
+    return live;
+}
+
+Result<void> LiveTrial::addTo(Project &project, const std::vector<std::string> &cameras)
+{
+    std::vector<RecordingRecord> records;
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        const bool isNew = !project.cameras().find(cameras[i]);
+        const auto camera = findOrAddCamera(project, cameras[i]);
+        if (!camera)
+            return tl::unexpected(camera.error());
+        if (isNew)
+            m_newCameras.push_back(camera->id);
+        const CameraDescription &description = m_session.description(i);
+        auto file = claimMediaFile(project.mediaFolder(), m_trial.name + "_" + cameras[i], ".mkv");
+        if (!file)
+            return tl::unexpected(file.error());
+        View view;
+        view.file = std::move(*file);
+        view.record.camera = camera->id;
+        view.record.path = files::absolute(view.file.path()).string(); // stored relative to the project
+        view.record.widthPx = description.widthPx;
+        view.record.heightPx = description.heightPx;
+        view.record.framesPerSecond = description.framesPerSecond;
+        records.push_back(view.record);
+        m_views.push_back(std::move(view));
+    }
+    auto begun = project.trials().begin(m_trial, records);
+    if (!begun)
+        return tl::unexpected(begun.error());
+    m_trial = std::move(*begun);
+    const auto stored = project.trials().recordings(m_trial.id);
+    if (!stored)
+        return tl::unexpected(stored.error());
+    for (std::size_t i = 0; i < m_views.size(); ++i)
+        m_views[i].record = (*stored)[i];
+    return {};
+}
+
+LiveTrial::~LiveTrial()
+{
+    if (m_recording)
+        m_session.stopRecording();
+}
+
+Result<void> LiveTrial::append(Project &project)
+{
+    for (std::size_t i = 0; i < m_views.size(); ++i) {
+        View &view = m_views[i];
+        const RecordedTimes fresh = m_session.takeWritten(i);
+        if (fresh.pictures.empty())
+            continue;
+        if (view.pictures + view.pending.pictures.size() == 0)
+            view.first = fresh.pictures.front().arrival;
+        view.last = fresh.pictures.back().arrival;
+        view.pending.pictures.insert(view.pending.pictures.end(), fresh.pictures.begin(),
+                                     fresh.pictures.end());
+        view.pending.readings.insert(view.pending.readings.end(), fresh.readings.begin(),
+                                     fresh.readings.end());
+    }
+    return store(project);
+}
+
+/// Within a transaction.
+Result<void> LiveTrial::appendPending(Project &project) const
+{
+    for (const View &view : m_views) {
+        if (auto appended = project.trials().appendRawTimes(view.record.id, view.pending); !appended)
+            return appended;
+    }
+    return {};
+}
+
+/// What is pending, in one transaction.
+Result<void> LiveTrial::store(Project &project)
+{
+    auto stored = project.inTransaction([&]() -> Result<void> {
+        if (auto appended = appendPending(project); !appended)
+            return appended;
+        Nanoseconds longest{0};
+        for (const View &view : m_views)
+            longest = std::max(longest, view.last - view.first);
+        return project.trials().setDuration(m_trial.id, toSeconds(longest));
+    });
+    if (!stored)
+        return stored;
+    for (View &view : m_views) {
+        view.pictures += view.pending.pictures.size();
+        view.readings += view.pending.readings.size();
+        view.pending = {};
+    }
+    return {};
+}
+
+Result<void> LiveTrial::prepare(Project &project)
+{
+    return append(project);
+}
+
+Result<void> LiveTrial::run(const JobControl &control)
+{
+    control.report(0, "writing the last pictures");
+    const std::vector<ViewHealth> health = m_session.health().views;
+    m_outcome = m_session.stopRecording();
+    m_recording = false;
+    std::vector<EndedView> ended;
+    for (std::size_t i = 0; i < m_views.size(); ++i) {
+        View &view = m_views[i];
+        const ViewRecording &outcome = m_outcome.views[i];
+        warnOf(outcome, view.record.cameraName, comesByWire(m_session.description(i).kind));
+        if (health[i].slow)
+            m_warnings.push_back("view '" + view.record.cameraName + "': " + health[i].slow->error.message());
+        const auto added = [](const auto &all, std::size_t stored) {
+            using Times = std::decay_t<decltype(all)>;
+            return Times(all.begin() + static_cast<std::ptrdiff_t>(std::min(stored, all.size())), all.end());
+        };
+        view.pending = {added(outcome.times.pictures, view.pictures),
+                        added(outcome.times.readings, view.readings)};
+        ended.push_back({view.record, view.file.path(), outcome.taken, outcome.clockSigmaS});
+        if (outcome.taken.empty())
+            continue;
+        ended.back().record.widthPx = outcome.format.width;
+        ended.back().record.heightPx = outcome.format.height;
+    }
+    auto recordings = describeRecordings(ended);
+    if (!recordings) {
+        const auto cut = std::ranges::find_if(
+            m_outcome.views, [](const ViewRecording &view) { return view.problem.has_value(); });
+        // which is the cause
+        return tl::unexpected(cut == m_outcome.views.end() ? recordings.error() : *cut->problem);
+    }
+    m_recordings = std::move(*recordings);
+    return {};
+}
+
+Result<void> LiveTrial::commit(Project &project)
+{
+    if (m_recordings.empty()) {
+        const std::optional<Error> &problem = m_outcome.views.front().problem;
+        const std::string why = problem ? problem->why : "no camera gave a picture";
+        if (auto discarded = discard(project); !discarded)
+            return discarded;
+        return fail(ErrorCode::Io, "recording of trial '" + m_trial.name + "'", why,
+                    problem ? problem->advice
+                            : "check that they are connected and not used by another program");
+    }
+    auto completed = project.note("record " + m_trial.name, [&]() -> Result<void> {
+        if (auto appended = appendPending(project); !appended)
+            return appended;
+        describeTrial(m_trial, m_recordings);
+        return project.trials().complete(m_trial, m_recordings);
+    });
+    if (!completed)
+        return completed;
+    for (std::size_t i = 0; i < m_views.size(); ++i) {
+        if (m_outcome.views[i].taken.empty()) // no recording of the trial any more
+            m_views[i].file.remove();
+    }
+    m_lock.reset();
+    auto trial = project.trials().get(m_trial.id);
+    if (!trial)
+        return tl::unexpected(trial.error());
+    m_trial = std::move(*trial);
+    return {};
+}
+
+Result<void> LiveTrial::discard(Project &project)
+{
+    if (m_recording)
+        m_session.stopRecording();
+    m_recording = false;
+    auto removed = project.inTransaction([&]() -> Result<void> {
+        if (auto done = project.trials().removeUnfinished(m_trial.id); !done)
+            return done;
+        for (const RecordId camera : m_newCameras) {
+            if (auto done = project.cameras().removeUnused(camera); !done)
+                return done;
+        }
+        return {};
+    });
+    if (!removed)
+        return removed;
+    for (View &view : m_views)
+        view.file.remove();
+    m_lock.reset();
+    return {};
+}
+
+void LiveTrial::warnOf(const ViewRecording &view, const std::string &camera, bool byWire)
+{
+    const std::string who = "view '" + camera + "': ";
+    if (view.taken.empty())
+        m_warnings.push_back(who + "it is left out, because nothing was recorded of it" +
+                             (view.problem ? ": " + view.problem->message()
+                                           : "; check its cable, and whether another program uses it"));
+    else if (view.problem)
+        m_warnings.push_back(who + "it ended early, because " + view.problem->message());
+    for (const RecordingGap &gap : view.gaps)
+        m_warnings.push_back(who + "nothing came for " + secondsText(toSeconds(gap.length), 1) +
+                             ", because " + gap.why.message());
+    if (view.longestWaitS > slowFromS && view.lostByUs == 0)
+        m_warnings.push_back(who + "pictures waited up to " + secondsText(view.longestWaitS, 1) +
+                             " for the disk, and none was lost; record to a faster disk");
+    if (view.lostByUs > 0)
+        m_warnings.push_back(who + picturesText(view.lostByUs) +
+                             " lost because this computer or its disk was too slow; " +
+                             "record to a faster disk, or fewer cameras at once");
+    if (view.lostOnWire > 0 && byWire)
+        m_warnings.push_back(who + picturesText(view.lostOnWire) +
+                             " lost between the camera and this program; " +
+                             "check cable, bandwidth and what else this machine does");
+    else if (view.lostOnWire > 0)
+        m_warnings.push_back(who + picturesText(view.lostOnWire) +
+                             " lost because this machine was too slow to make them in time; " +
+                             "close other programs, or take fewer such cameras at once");
+}
+
+} // namespace odo

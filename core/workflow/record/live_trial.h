@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/capture/capture_session.h"
+#include "core/files/claimed_file.h"
+#include "core/project/project_locks.h"
+#include "core/project/records.h"
+#include "core/workflow/job.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+/// A trial that is being recorded. It stands in the project from its beginning, and once a second the times
+/// of what has reached the disk are added, so that whatever happens to the program RecoverJob finds it whole
+/// but for the last second.
+///
+/// Ending it is this job: run stops the recording, which takes as long as the disk does, and commit completes
+/// the trial, but for the hashes of its files, which HashJob makes. One that is cancelled, or fails, is
+/// completed by RecoverJob at the next opening.
+class LiveTrial : public Job
+{
+public:
+    /// Adds the trial and begins to record. trial: name, team, task, robots and notes. cameras: the name of
+    /// each view of the session; those that are new are added. The session must outlive the recording, and do
+    /// nothing else meanwhile. On the project's thread. Errors: AlreadyExists (the name, or a recording that
+    /// goes on); NotFound; Io.
+    static Result<std::shared_ptr<LiveTrial>> begin(Project &project, TrialRecord trial,
+                                                    const std::vector<std::string> &cameras,
+                                                    CaptureSession &session,
+                                                    Nanoseconds preRoll = Nanoseconds(0));
+    ~LiveTrial() override; ///< ends the recording
+
+    /// Adds what has reached the disk since. Once a second, on the project's thread. After an error it tries
+    /// again the next time.
+    Result<void> append(Project &project);
+    /// Gives the trial up: ends the recording and leaves nothing behind. On the project's thread.
+    Result<void> discard(Project &project);
+
+    Result<void> prepare(Project &project) override;
+    Result<void> run(const JobControl &control) override;
+    Result<void> commit(Project &project) override;
+
+    const TrialRecord &trial() const { return m_trial; }
+    const std::vector<RecordingRecord> &recordings() const
+    {
+        return m_recordings;
+    }                                                             ///< after run: of views with pictures
+    const RecordingOutcome &outcome() const { return m_outcome; } ///< after run: of all views of the session
+    const std::vector<std::string> &warnings() const { return m_warnings; } ///< after run
+    void addWarning(std::string sentence) { m_warnings.push_back(std::move(sentence)); }
+
+private:
+    struct View
+    {
+        RecordingRecord record;
+        ClaimedFile file;
+        RecordedTimes pending;                  ///< on the disk, and not yet in the project
+        std::size_t pictures = 0, readings = 0; ///< in the project
+        Nanoseconds first{0}, last{0};          ///< arrival
+    };
+    LiveTrial(CaptureSession &session, std::unique_ptr<RecordingLock> lock)
+        : m_session(session), m_lock(std::move(lock))
+    {
+    }
+    Result<void> addTo(Project &project, const std::vector<std::string> &cameras);
+    Result<void> store(Project &project);
+    Result<void> appendPending(Project &project) const;
+    void warnOf(const ViewRecording &view, const std::string &camera, bool byWire);
+
+    CaptureSession &m_session;
+    std::unique_ptr<RecordingLock> m_lock;
+    TrialRecord m_trial;
+    std::vector<View> m_views;
+    std::vector<RecordId> m_newCameras;
+    std::vector<RecordingRecord> m_recordings;
+    RecordingOutcome m_outcome;
+    std::vector<std::string> m_warnings;
+    bool m_recording = false;
+};
+
+} // namespace odo

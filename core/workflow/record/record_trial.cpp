@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/record/record_trial.h"
+
+#include "core/project/project.h"
+#include "core/project/project_rescue.h"
+#include "core/project/repositories.h"
+#include "core/workflow/record/completed_recordings.h"
+#include "core/workflow/record/line_up.h"
+#include "core/workflow/record/live_tracking.h"
+#include "core/workflow/trial_sources.h"
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <thread>
+
+namespace odo {
+
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+constexpr auto lookEach = 50ms, appendEach = 1000ms, longestStart = 10000ms;
+
+std::string whatOf(const RecordSettings &settings)
+{
+    return "recording of trial '" + settings.trial + "'";
+}
+
+Result<void> checkSettings(Project &project, const RecordSettings &settings)
+{
+    const std::string what = whatOf(settings);
+    if (settings.cameras.empty())
+        return fail(ErrorCode::InvalidInput, what, "no camera was given",
+                    "give one or more, like --camera A=sim:A");
+    if (!(settings.seconds > 0 && settings.seconds <= longestRecordingS))
+        return fail(ErrorCode::InvalidInput, what, "it would take no time, or more than a day",
+                    "give the seconds, like 10");
+    if (!(settings.preRollS >= 0 && settings.preRollS <= longestPreRollS))
+        return fail(ErrorCode::InvalidInput, what, "what is kept from before is no time, or more than 10 s",
+                    "give a pre-roll of 0 to 10 seconds");
+    if (project.trials().find(settings.trial))
+        return fail(ErrorCode::AlreadyExists, what, "the project has a trial of that name",
+                    "choose another name");
+    std::set<std::string> names, addresses;
+    for (const auto &[camera, address] : settings.cameras) {
+        if (!names.insert(camera).second || !addresses.insert(address).second)
+            return fail(ErrorCode::InvalidInput, what,
+                        "camera '" + camera + "' or its address '" + address + "' was given twice",
+                        "give each view its own camera");
+    }
+    return {};
+}
+
+Result<std::vector<std::unique_ptr<CameraSource>>> openCameras(const RecordSettings &settings,
+                                                               const std::vector<RobotAppearance> &robots)
+{
+    std::vector<std::unique_ptr<CameraSource>> cameras;
+    for (const auto &[name, address] : settings.cameras) {
+        auto source = openCamera(address);
+        if (!source)
+            return tl::unexpected(source.error());
+        (*source)->showRobots(robots);
+        cameras.push_back(std::move(*source));
+    }
+    return cameras;
+}
+
+/// The time counts from when all cameras deliver, which may take them a moment.
+Result<void> waitForPictures(const CaptureSession &session, const RecordSettings &settings,
+                             const JobControl &control)
+{
+    const auto until = Clock::now() + longestStart;
+    for (;;) {
+        const std::vector<ViewHealth> views = session.health().views;
+        const auto silent = std::ranges::find(views, 0u, &ViewHealth::delivered);
+        if (silent == views.end())
+            return {};
+        if (control.isCancelled())
+            return cancelled(whatOf(settings));
+        if (silent->state == ViewHealth::State::Ended || Clock::now() > until)
+            return fail(ErrorCode::Io, whatOf(settings),
+                        "camera '" +
+                            settings.cameras[static_cast<std::size_t>(silent - views.begin())].first +
+                            "' gave no picture" +
+                            (silent->trouble ? ": " + silent->trouble->error.why : std::string()),
+                        "check that it is connected and not used by another program");
+        std::this_thread::sleep_for(lookEach);
+    }
+}
+
+/// The pre-roll.
+Result<void> letRun(const RecordSettings &settings, const JobControl &control)
+{
+    const auto until = Clock::now() + fromSeconds(settings.preRollS);
+    while (Clock::now() < until) {
+        if (control.isCancelled())
+            return cancelled(whatOf(settings));
+        std::this_thread::sleep_for(std::min<Nanoseconds>(lookEach, until - Clock::now()));
+    }
+    return {};
+}
+
+/// Sends the robots' positions while it is there.
+struct LiveSending
+{
+    std::unique_ptr<LiveBroadcast> broadcast; // outlives the tracker, which gives it its moments
+    std::unique_ptr<LiveTracker> tracker;
+};
+
+Result<std::vector<LiveView>> liveViews(Project &project, const RecordSettings &settings)
+{
+    std::vector<LiveView> views;
+    for (const auto &[name, address] : settings.cameras) {
+        LiveView view{name, {}};
+        if (const auto camera = project.cameras().find(name)) {
+            auto floorView = floorViewInForce(project, camera->id);
+            if (!floorView)
+                return tl::unexpected(floorView.error());
+            view.floorView = std::move(*floorView);
+        }
+        views.push_back(std::move(view));
+    }
+    if (std::ranges::none_of(views, [](const LiveView &view) { return view.floorView.has_value(); }))
+        return fail(ErrorCode::Undetermined, whatOf(settings),
+                    "none of its cameras is registered to the floor, so there are no live positions to send",
+                    "run odograph register for one of them, or leave --ssl-vision out");
+    return views;
+}
+
+/// What is to be sent, before a camera is opened.
+struct SentRobots
+{
+    std::vector<LiveView> views;
+    std::vector<RobotRecord> robots;
+    std::unique_ptr<LiveBroadcast> broadcast;
+};
+
+Result<SentRobots> robotsToSend(Project &project, Result<std::vector<RobotRecord>> robots,
+                                const RecordSettings &settings)
+{
+    SentRobots sent;
+    if (!settings.broadcast)
+        return sent;
+    auto views = liveViews(project, settings);
+    if (!views)
+        return tl::unexpected(views.error());
+    if (!robots)
+        return tl::unexpected(robots.error());
+    auto broadcast = LiveBroadcast::create(*settings.broadcast, *robots);
+    if (!broadcast)
+        return tl::unexpected(broadcast.error());
+    sent.views = std::move(*views);
+    sent.robots = std::move(*robots);
+    sent.broadcast = std::move(*broadcast);
+    return sent;
+}
+
+Result<LiveSending> beginSending(SentRobots sent, CaptureSession &session)
+{
+    LiveSending sending;
+    if (!sent.broadcast)
+        return sending;
+    sending.broadcast = std::move(sent.broadcast);
+    std::vector<LiveTracker::Feed> feeds;
+    for (std::size_t view = 0; view < sent.views.size(); ++view)
+        feeds.push_back(session.subscribeFrames(view, 2));
+    auto tracker = LiveTracker::create(
+        sent.views, sent.robots, std::move(feeds),
+        {{}, [&broadcast = *sending.broadcast](const LiveMoment &moment) { broadcast.take(moment); }});
+    if (!tracker)
+        return tl::unexpected(tracker.error());
+    sending.tracker = std::move(*tracker);
+    return sending;
+}
+
+/// What is stored in a file that was taken away would go with it.
+Result<void> rescueIfLost(const Project &project, LiveTrial &live)
+{
+    if (project.isInPlace())
+        return {};
+    const auto rescued = rescueProject(project);
+    if (!rescued)
+        return tl::unexpected(rescued.error());
+    live.addWarning(
+        "the project's file was deleted, renamed or replaced meanwhile; what was in it is rescued in '" +
+        rescued->string() + "', which is the project from now on");
+    return {};
+}
+
+/// Until its time is over, or nothing more can be recorded.
+Result<void> keepRecording(Project &project, LiveTrial &live, const CaptureSession &session,
+                           const RecordSettings &settings, const JobControl &control)
+{
+    const auto hasEnded = [](const ViewHealth &view) { return view.state == ViewHealth::State::Ended; };
+    const auto begun = Clock::now();
+    auto appended = begun;
+    bool wasInPlace = true;
+    for (;;) {
+        std::this_thread::sleep_for(lookEach);
+        const auto now = Clock::now();
+        const double passedS = std::chrono::duration<double>(now - begun).count();
+        control.report(std::min(1.0, passedS / settings.seconds), "recording");
+        if (std::exchange(wasInPlace, project.isInPlace()) && !wasInPlace && settings.warn)
+            settings.warn("the project's file was deleted, renamed or replaced; recording goes on, and what "
+                          "is in it is rescued at the end");
+        const CaptureHealth health = session.health();
+        if (passedS >= settings.seconds || control.isCancelled() || health.disk.ended ||
+            std::ranges::any_of(health.views, hasEnded))
+            return {};
+        if (now - appended < appendEach)
+            continue;
+        appended = now;
+        if (auto kept = live.append(project); !kept)
+            return kept;
+    }
+}
+
+} // namespace
+
+Result<std::shared_ptr<LiveTrial>> recordTrial(Project &project, const RecordSettings &settings,
+                                               const JobControl &control)
+{
+    if (auto checked = checkSettings(project, settings); !checked)
+        return tl::unexpected(checked.error());
+    auto trial = trialOf(project, {.robots = settings.robots, .trial = settings.trial});
+    if (!trial)
+        return tl::unexpected(trial.error());
+    // none is an error only where they are sent
+    const auto robots = robotsToTrack(project, *trial, settings.robots);
+    auto sent = robotsToSend(project, robots, settings);
+    if (!sent)
+        return tl::unexpected(sent.error());
+    auto cameras = openCameras(settings, appearancesOf(robots.value_or(std::vector<RobotRecord>())));
+    if (!cameras)
+        return tl::unexpected(cameras.error());
+    const Nanoseconds preRoll = fromSeconds(settings.preRollS);
+    CaptureSession session(std::move(*cameras), {.preRoll = preRoll});
+    if (auto delivering = waitForPictures(session, settings, control); !delivering)
+        return tl::unexpected(delivering.error());
+    const auto sending = beginSending(std::move(*sent), session); // ends before the session does
+    if (!sending)
+        return tl::unexpected(sending.error());
+    if (auto warm = letRun(settings, control); !warm)
+        return tl::unexpected(warm.error());
+    std::vector<std::string> names;
+    for (const auto &[name, address] : settings.cameras)
+        names.push_back(name);
+    project.keepWritingWhenLost(); // it is rescued at the end
+    auto live = LiveTrial::begin(project, std::move(*trial), names, session, preRoll);
+    if (!live)
+        return live;
+    const auto kept = keepRecording(project, **live, session, settings, control);
+    // Whoever stops it keeps what is recorded. Where the project could not be written to, the end tries once
+    // more, with all that is missing.
+    if (auto ended = runToEnd(**live, project, {{}, control.progress}); !ended)
+        return tl::unexpected(kept ? ended.error() : kept.error());
+    HashJob hashes; // what is left of them is made the next time
+    if (auto done = runToEnd(hashes, project, control); !done && done.error().code != ErrorCode::Cancelled)
+        return tl::unexpected(done.error());
+    if (auto rescued = rescueIfLost(project, **live); !rescued)
+        return tl::unexpected(rescued.error());
+    return live;
+}
+
+std::vector<RobotAppearance> appearancesOf(const std::vector<RobotRecord> &robots)
+{
+    std::vector<RobotAppearance> appearances;
+    for (const RobotRecord &robot : robots)
+        appearances.push_back({robot.colour, robot.lengthM, robot.widthM, robot.heightM});
+    return appearances;
+}
+
+} // namespace odo

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/records.h"
+#include "core/simulation/robot_appearance.h"
+#include "core/workflow/record/live_broadcast.h"
+#include "core/workflow/record/live_trial.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace odo {
+
+constexpr double longestRecordingS = 24 * 3600, longestPreRollS = 10;
+
+struct RecordSettings
+{
+    std::string trial;
+    std::vector<std::pair<std::string, std::string>>
+        cameras;         ///< camera's name and its address, first view first
+    double seconds = 10; ///< from when all cameras deliver
+    double preRollS = 0; ///< so long before, the cameras run already, and that is recorded too
+    std::vector<std::string> robots;
+    /// of what should be known while it still records; on the calling thread
+    std::function<void(const std::string &)> warn = {};
+    /// to where the robots' live positions are sent; empty: they are not looked for
+    std::optional<BroadcastTarget> broadcast = {};
+};
+
+/// Records a trial from cameras: every picture of every view to the disk, the views put in step by the
+/// cameras' clocks. Long, on the project's thread. One that is cancelled before it began leaves nothing
+/// behind (Cancelled); one that is cancelled later, or ends early because a file has ended or the disk fails,
+/// keeps what there is, and its warnings say so. Where the project's file was taken away meanwhile, a warning
+/// says in which copy of it the trial is. Sending live positions never delays it; Undetermined where no
+/// camera is registered, so that there are none.
+Result<std::shared_ptr<LiveTrial>> recordTrial(Project &project, const RecordSettings &settings,
+                                               const JobControl &control);
+
+/// What simulated cameras are to show of a project's robots.
+std::vector<RobotAppearance> appearancesOf(const std::vector<RobotRecord> &robots);
+
+} // namespace odo

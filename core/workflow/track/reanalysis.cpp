@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/track/reanalysis.h"
+
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/trajectory/analyser.h"
+#include "core/workflow/track/track_job.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace odo {
+
+namespace {
+
+Result<AnalysisRecord> chosenAnalysis(const std::vector<AnalysisRecord> &analyses,
+                                      const OverruleRequest &request)
+{
+    const std::string what = "trial '" + request.trial + "'";
+    std::string names;
+    for (const AnalysisRecord &analysis : analyses) {
+        if (analysis.robotName == request.robot || (request.robot.empty() && analyses.size() == 1))
+            return analysis;
+        names += (names.empty() ? "'" : ", '") + analysis.robotName + "'";
+    }
+    if (analyses.empty())
+        return fail(ErrorCode::NotFound, what, "it has not been tracked yet", "run odograph track first");
+    if (request.robot.empty())
+        return fail(ErrorCode::Undetermined, what, "it has several robots: " + names,
+                    "choose one with --robot");
+    return fail(ErrorCode::NotFound, what,
+                "robot '" + request.robot + "' was not tracked in it, but " + names,
+                "track it, or choose another with --robot");
+}
+
+/// How the request named the sample, for messages.
+std::string placeText(const OverruleRequest &request)
+{
+    return request.frame ? "frame " + std::to_string(*request.frame)
+                         : formatNumber(request.timeS.value_or(0), 3) + " s";
+}
+
+Result<Sample> chosenSample(const std::vector<Sample> &samples, const OverruleRequest &request)
+{
+    const std::string what = placeText(request) + " of trial '" + request.trial + "'";
+    if (samples.empty())
+        return fail(ErrorCode::NotFound, what, "the analysis has no sample", "track the trial again");
+    const auto distance = [&](const Sample &sample) {
+        return request.frame ? std::abs(static_cast<double>(sample.frame - *request.frame))
+                             : std::abs(toSeconds(sample.time) - *request.timeS);
+    };
+    const auto nearest =
+        std::min_element(samples.begin(), samples.end(),
+                         [&](const Sample &a, const Sample &b) { return distance(a) < distance(b); });
+    const double interval = toSeconds(samples.back().time - samples.front().time) /
+                            static_cast<double>(std::max<std::size_t>(samples.size() - 1, 1));
+    if (distance(*nearest) > (request.frame ? 0 : interval))
+        return fail(ErrorCode::NotFound, what, "there is no such frame",
+                    request.frame ? "choose one from " + std::to_string(samples.front().frame) + " to " +
+                                        std::to_string(samples.back().frame)
+                                  : "choose a time from " + formatNumber(toSeconds(samples.front().time), 3) +
+                                        " s to " + formatNumber(toSeconds(samples.back().time), 3) + " s");
+    if (!nearest->position && request.word != OverruleRequest::Word::Clear)
+        return fail(ErrorCode::InvalidInput, what,
+                    "the robot was not measured there, so there is nothing to judge",
+                    "choose a frame with a measurement");
+    return *nearest;
+}
+
+} // namespace
+
+OverruleJob::OverruleJob(OverruleRequest request) : m_request(std::move(request)) {}
+
+OverruleJob::~OverruleJob() = default;
+
+Result<void> OverruleJob::prepare(Project &project)
+{
+    const auto trial = project.trials().find(m_request.trial);
+    if (!trial)
+        return tl::unexpected(trial.error());
+    const auto analyses = project.analyses().current(trial->id);
+    if (!analyses)
+        return tl::unexpected(analyses.error());
+    const auto analysis = chosenAnalysis(*analyses, m_request);
+    if (!analysis)
+        return tl::unexpected(analysis.error());
+    const auto sample = chosenSample(analysis->profile.samples, m_request);
+    if (!sample)
+        return tl::unexpected(sample.error());
+    const auto before = project.trials().overrules(trial->id, analysis->robot);
+    if (!before)
+        return tl::unexpected(before.error());
+    m_before = *before;
+    m_trial = trial->id;
+    m_robot = analysis->robot;
+    m_outcome.robot = analysis->robotName;
+    m_outcome.frame = sample->frame;
+    m_outcome.time = sample->time;
+    if (m_request.word == OverruleRequest::Word::Clear) {
+        m_overrules = withoutOverrule(m_before, sample->frame);
+        if (m_overrules.size() == m_before.size())
+            return fail(ErrorCode::NotFound, placeText(m_request) + " of trial '" + m_request.trial + "'",
+                        "nothing was said by hand there", "see the flags by_hand in odograph export");
+    } else {
+        m_overrules = withOverrule(m_before, {sample->frame, m_request.word == OverruleRequest::Word::Spike});
+    }
+    TrackSettings settings;
+    settings.robots = {m_outcome.robot};
+    settings.again = true;
+    settings.overrules[m_outcome.robot] = m_overrules;
+    m_analysis = std::make_unique<TrackJob>(m_request.trial, std::move(settings));
+    return m_analysis->prepare(project);
+}
+
+Result<void> OverruleJob::run(const JobControl &control)
+{
+    return m_analysis->run(control);
+}
+
+Result<void> OverruleJob::commit(Project &project)
+{
+    const auto words = [this] {
+        const std::string frame = "frame " + std::to_string(m_outcome.frame) + " of " + m_request.trial;
+        switch (m_request.word) {
+        case OverruleRequest::Word::Spike:
+            return "mark " + frame + " as a spike";
+        case OverruleRequest::Word::Valid:
+            return "use " + frame;
+        case OverruleRequest::Word::Clear:
+            break;
+        }
+        return "leave " + frame + " to the program";
+    };
+    auto stored = project.change(words(), [&]() -> Result<void> {
+        const auto now = project.trials().overrules(m_trial, m_robot);
+        if (!now)
+            return tl::unexpected(now.error());
+        if (*now != m_before)
+            return fail(ErrorCode::InvalidInput, placeText(m_request) + " of trial '" + m_request.trial + "'",
+                        "another sample was judged by hand while this one was analysed",
+                        "say it again for frame " + std::to_string(m_outcome.frame));
+        if (auto said = project.trials().setOverrules(m_trial, m_robot, m_overrules); !said)
+            return said;
+        return m_analysis->commit(project);
+    });
+    if (!stored)
+        return stored;
+    m_outcome.analysis = m_analysis->outcome().robots.front().analysis;
+    for (const Sample &sample : m_outcome.analysis.profile.samples) {
+        if (sample.frame == m_outcome.frame)
+            m_outcome.flags = sample.flags;
+    }
+    return {};
+}
+
+namespace {
+
+void comparePlaces(const Profile &before, const Profile &after, ProfileChange &change)
+{
+    std::map<std::int64_t, std::size_t> byFrame;
+    for (std::size_t i = 0; i < before.samples.size(); ++i)
+        byFrame[before.samples[i].frame] = i;
+    double squares = 0;
+    for (std::size_t i = 0; i < after.samples.size(); ++i) {
+        const auto same = byFrame.find(after.samples[i].frame);
+        if (same == byFrame.end() || !before.points[same->second].valid || !after.points[i].valid)
+            continue;
+        const double shiftM = (after.points[i].position - before.points[same->second].position).norm();
+        ++change.compared;
+        squares += shiftM * shiftM;
+        if (shiftM > change.largestShiftM) {
+            change.largestShiftM = shiftM;
+            change.largestAt = after.samples[i].time;
+        }
+    }
+    if (change.compared > 0)
+        change.rmsShiftM = std::sqrt(squares / static_cast<double>(change.compared));
+}
+
+void compareMetrics(const Profile &before, const Profile &after, ProfileChange &change)
+{
+    const auto find = [](const Profile &profile, const std::string &name) {
+        const auto found = std::ranges::find(profile.metrics, name, &Metric::name);
+        return found == profile.metrics.end() ? nullptr : &*found;
+    };
+    for (const Metric &metric : before.metrics) {
+        const Metric *later = find(after, metric.name);
+        change.metrics.push_back({metric.name, metric.unit, metric.value,
+                                  later ? std::optional(later->value) : std::nullopt,
+                                  later && later->sigma ? later->sigma : metric.sigma});
+    }
+    for (const Metric &metric : after.metrics)
+        if (!find(before, metric.name))
+            change.metrics.push_back({metric.name, metric.unit, std::nullopt, metric.value, metric.sigma});
+}
+
+std::string wordsOf(const ProfileChange &change)
+{
+    if (change.compared == 0)
+        return "No place was measured by both analyses.";
+    std::string words = "Positions change by " + formatNumber(toMillimetres(change.rmsShiftM), 1) +
+                        " mm RMS, at most by " + formatNumber(toMillimetres(change.largestShiftM), 1) +
+                        " mm (at " + formatNumber(toSeconds(change.largestAt), 2) + " s).";
+    if (change.spikesBefore != change.spikesAfter)
+        words += " Spikes: " + std::to_string(change.spikesAfter) + " instead of " +
+                 std::to_string(change.spikesBefore) + ".";
+    return words;
+}
+
+} // namespace
+
+ProfileChange changeBetween(const Profile &before, const Profile &after)
+{
+    ProfileChange change;
+    change.spikesBefore = before.spikes.size();
+    change.spikesAfter = after.spikes.size();
+    comparePlaces(before, after, change);
+    compareMetrics(before, after, change);
+    change.words = wordsOf(change);
+    return change;
+}
+
+ReprocessJob::ReprocessJob(std::string trial) : m_trial(std::move(trial)) {}
+
+ReprocessJob::~ReprocessJob() = default;
+
+Result<void> ReprocessJob::prepare(Project &project)
+{
+    const auto trial = project.trials().find(m_trial);
+    if (!trial)
+        return tl::unexpected(trial.error());
+    auto analyses = project.analyses().current(trial->id);
+    if (!analyses)
+        return tl::unexpected(analyses.error());
+    if (analyses->empty())
+        return fail(ErrorCode::NotFound, "trial '" + m_trial + "'",
+                    "it has not been tracked yet, so there is nothing to analyse again", "track it first");
+    TrackSettings settings;
+    settings.again = true;
+    for (AnalysisRecord &analysis : *analyses) {
+        settings.robots.push_back(analysis.robotName);
+        m_before.emplace_back(analysis.robotName, std::move(analysis.profile));
+    }
+    m_analysis = std::make_unique<TrackJob>(m_trial, std::move(settings));
+    return m_analysis->prepare(project);
+}
+
+Result<void> ReprocessJob::run(const JobControl &control)
+{
+    if (auto done = m_analysis->run(control); !done)
+        return done;
+    if (control.isCancelled())
+        return cancelled("trial '" + m_trial + "'");
+    const auto &after = m_analysis->outcome().robots;
+    for (std::size_t i = 0; i < m_before.size(); ++i)
+        m_robots.push_back({m_before[i].first, changeBetween(m_before[i].second, after[i].analysis.profile)});
+    return {};
+}
+
+Result<void> ReprocessJob::commit(Project &)
+{
+    return {};
+}
+
+Result<void> ReprocessJob::keep(Project &project)
+{
+    return m_analysis->commit(project);
+}
+
+} // namespace odo

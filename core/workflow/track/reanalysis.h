@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/analysis/profile.h"
+#include "core/project/records.h"
+#include "core/workflow/job.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace odo {
+
+class TrackJob;
+
+/// A person's word on one sample of a trial.
+struct OverruleRequest
+{
+    enum class Word {
+        Spike, ///< it is not to be used
+        Valid, ///< it is to be used, whatever speaks against it
+        Clear, ///< what was said by hand is taken back
+    };
+    std::string trial;
+    std::string robot;                 ///< empty: the only one that was tracked in the trial
+    std::optional<double> timeS;       ///< the nearest frame is meant; or else
+    std::optional<std::int64_t> frame; ///< of the first view
+    Word word = Word::Spike;
+};
+
+struct OverruleOutcome
+{
+    std::string robot;
+    std::int64_t frame = 0;
+    Nanoseconds time{0};
+    SampleFlags flags = 0; ///< of the sample in the new analysis
+    AnalysisRecord analysis;
+};
+
+/// Stores a person's word on a sample and makes a new analysis with it, out of the stored observations; older
+/// analyses stay. Errors: the robot was not tracked, no frame at that time, nothing measured there, nothing
+/// to take back, another sample was judged between prepare and commit.
+class OverruleJob : public Job
+{
+public:
+    explicit OverruleJob(OverruleRequest request);
+    ~OverruleJob() override;
+    Result<void> prepare(Project &project) override;
+    Result<void> run(const JobControl &control) override;
+    Result<void> commit(Project &project) override;
+
+    const OverruleOutcome &outcome() const { return m_outcome; } ///< after commit
+
+private:
+    OverruleRequest m_request;
+    RecordId m_trial = 0, m_robot = 0;
+    std::vector<Overrule> m_before, m_overrules;
+    std::unique_ptr<TrackJob> m_analysis;
+    OverruleOutcome m_outcome;
+};
+
+/// A figure before and after; nullopt where one of the two analyses has none.
+struct MetricChange
+{
+    std::string name, unit;
+    std::optional<double> before, after;
+    std::optional<double> sigma; ///< of the later, or else of the earlier
+};
+
+/// What another analysis of the same observations changes for one robot.
+struct ProfileChange
+{
+    std::vector<MetricChange> metrics; ///< in the order of the earlier, then those that are new
+    std::size_t compared = 0;          ///< places that both have
+    double largestShiftM = 0, rmsShiftM = 0;
+    Nanoseconds largestAt{0};
+    std::size_t spikesBefore = 0, spikesAfter = 0;
+    std::string words; ///< one sentence for a person
+};
+
+/// Compares frame by frame, where both are valid. Pure; any thread.
+ProfileChange changeBetween(const Profile &before, const Profile &after);
+
+/// What analysing a trial again changes for one of its robots.
+struct ReprocessedRobot
+{
+    std::string name;
+    ProfileChange change;
+};
+
+/// Analyses the stored observations of a trial again with the registrations in force, and tells what that
+/// changes. Stores nothing until keep() is called: a person looks first. NotFound where the trial was never
+/// tracked.
+class ReprocessJob : public Job
+{
+public:
+    explicit ReprocessJob(std::string trial);
+    ~ReprocessJob() override;
+    Result<void> prepare(Project &project) override;
+    Result<void> run(const JobControl &control) override;
+    Result<void> commit(Project &project) override; ///< nothing
+
+    const std::string &trial() const { return m_trial; }
+    const std::vector<ReprocessedRobot> &robots() const { return m_robots; } ///< after run
+    /// Stores the new analyses beside the old ones, as the current ones; one transaction, on the project's
+    /// thread.
+    Result<void> keep(Project &project);
+
+private:
+    std::string m_trial;
+    std::vector<std::pair<std::string, Profile>> m_before; ///< by robot
+    std::unique_ptr<TrackJob> m_analysis;
+    std::vector<ReprocessedRobot> m_robots;
+};
+
+} // namespace odo

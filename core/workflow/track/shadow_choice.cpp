@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/track/shadow_choice.h"
+
+#include "core/trajectory/solid_choice.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+// each is tried where the one before it is better than what was known
+constexpr float darkerShadows[] = {0.20F, 0.15F};
+constexpr double leastDeepShare = 0.1; // of a robot's pixels, over the frames
+constexpr double goodMisfit = 0.5;     // a quarter of a pixel
+constexpr double clearlyLess = 0.98;   // of the misfit
+constexpr double nearlyAsOften = 0.9;  // of the frames in which it was found
+constexpr double firstPart = 0.7, nextPart = 0.125;
+
+/// A job's part as a job.
+JobControl partOf(const JobControl &control, double from, double to)
+{
+    return {control.cancel, [&control, from, to](double fraction, const std::string &text) {
+                control.report(from + (to - from) * fraction, text);
+            }};
+}
+
+/// What was tracked of one robot.
+struct Outlines
+{
+    std::size_t robot = 0;
+    double found = 0;             ///< observations
+    std::optional<double> misfit; ///< of the solid that explains their outlines best
+};
+
+/// The mean of what may be deep shadow of a robot; 0 where it was measured by its colour.
+double deepShareOf(const std::vector<TrackedView> &tracked, std::size_t robot)
+{
+    double found = 0, share = 0;
+    for (const TrackedView &view : tracked) {
+        for (const Observation &one : view.series[robot].observations) {
+            found += one.found;
+            share += one.found ? double(one.deepShare) : 0;
+        }
+    }
+    return share / std::max(1.0, found);
+}
+
+Outlines outlinesOf(const std::vector<RegisteredView> &views, const std::vector<RobotRecord> &robots,
+                    std::vector<TrackedView> &tracked, std::size_t robot)
+{
+    Outlines outlines{robot, 0, {}};
+    for (const TrackedView &view : tracked)
+        outlines.found += double(std::ranges::count_if(view.series[robot].observations, &Observation::found));
+    std::vector<ViewTrack> tracks = takeViewTracks(views, tracked, robot);
+    outlines.misfit = misfitOfOutlines(tracks, shapeOf(robots[robot]));
+    returnObservations(std::move(tracks), tracked, robot);
+    return outlines;
+}
+
+/// Robots of which much may be deep shadow, and whose outlines are not explained well already.
+std::vector<Outlines> doubtfulOutlines(const std::vector<RegisteredView> &views,
+                                       const std::vector<RobotRecord> &robots,
+                                       std::vector<TrackedView> &tracked)
+{
+    std::vector<Outlines> doubtful;
+    for (std::size_t r = 0; r < robots.size(); ++r) {
+        if (deepShareOf(tracked, r) <= leastDeepShare)
+            continue;
+        Outlines outlines = outlinesOf(views, robots, tracked, r);
+        if (outlines.misfit.value_or(0) > goodMisfit)
+            doubtful.push_back(outlines);
+    }
+    return doubtful;
+}
+
+/// Whether solids explain the outlines of these robots clearly better than before, and nothing of them was
+/// lost.
+bool areBetter(const std::vector<Outlines> &now, const std::vector<Outlines> &before)
+{
+    double gain = 0; // of the logarithm of the misfit
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        if (!now[i].misfit || now[i].found < nearlyAsOften * before[i].found)
+            return false;
+        gain += std::log(*before[i].misfit / *now[i].misfit) / double(now.size());
+    }
+    return gain > -std::log(clearlyLess);
+}
+
+} // namespace
+
+Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
+                                    const std::vector<RobotRecord> &robots, const JobControl &control,
+                                    const std::vector<PointedOutRobot> &pointedOut)
+{
+    double done = 0; // of the job
+    const auto tracked = [&](double part, const auto &track) -> Result<SettledViews> {
+        auto seen = track(partOf(control, done, done + part));
+        if (!seen)
+            return tl::unexpected(seen.error());
+        done += part;
+        control.report(done, "settling which robot is which");
+        auto doubts = settleNames(views, robots, *seen, pointedOut);
+        if (!doubts)
+            return tl::unexpected(doubts.error());
+        return SettledViews{std::move(*seen), std::move(*doubts)};
+    };
+    auto best = tracked(firstPart, [&](const JobControl &part) { return trackViews(views, robots, part); });
+    if (!best)
+        return best;
+    std::vector<Outlines> known = doubtfulOutlines(views, robots, best->views);
+    for (const float darkest : darkerShadows) {
+        if (known.empty())
+            break;
+        auto darker = tracked(nextPart, [&](const JobControl &part) {
+            return trackAgain(views, robots, best->views, darkest, part);
+        });
+        if (control.isCancelled())
+            return cancelled("tracking");
+        if (!darker) // what was found before stays
+            break;
+        std::vector<Outlines> now;
+        for (const Outlines &before : known)
+            now.push_back(outlinesOf(views, robots, darker->views, before.robot));
+        if (!areBetter(now, known))
+            break;
+        best = std::move(darker);
+        known = std::move(now);
+    }
+    return best;
+}
+
+} // namespace odo

@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/track/track_job.h"
+
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/tracking/colour_tracker.h"
+#include "core/trajectory/imported_track.h"
+#include "core/workflow/track/robot_names.h"
+#include "core/workflow/track/shadow_choice.h"
+#include "core/workflow/track/task_analysis.h"
+#include "core/workflow/track/track_warnings.h"
+#include "core/workflow/track/trial_occlusions.h"
+#include "core/workflow/track/view_tracking.h"
+#include "core/workflow/trial_sources.h"
+
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+namespace odo {
+
+class Project;
+
+/// What is pointed out in a trial, with what a person says now in place of what was said of the same robot
+/// and view before; nothing else is changed. robots: those tracked. Errors: a robot or view that the trial
+/// has not, a robot that is found by its colour, a time without a picture, a place outside the picture.
+/// Project's thread.
+Result<std::vector<PointedOutRobot>> pointedOutRobots(Project &project, const TrialRecord &trial,
+                                                      const std::vector<RegisteredView> &views,
+                                                      const std::vector<RobotRecord> &robots,
+                                                      const std::vector<RobotPointer> &pointers);
+
+namespace {
+
+constexpr double longestAsideS = 0.1; // between the time told and the picture meant
+
+/// The recording's frame that is nearest to a time of the trial.
+std::optional<std::int64_t> frameAt(const RecordingRecord &recording, double timeS)
+{
+    const std::vector<Nanoseconds> &times = recording.frameTimes;
+    const ViewClock clock = clockOf(recording);
+    const auto asideS = [&](Nanoseconds own) { return std::abs(toSeconds(clock.commonTime(own)) - timeS); };
+    const auto nearest = std::ranges::min_element(times, {}, asideS);
+    if (nearest == times.end() || !(asideS(*nearest) <= longestAsideS))
+        return std::nullopt;
+    return nearest - times.begin();
+}
+
+Result<PointedOutRobot> resolved(const RobotPointer &pointer, const RobotRecord &robot,
+                                 const std::vector<RegisteredView> &views)
+{
+    const std::string what = "robot '" + robot.name + "' pointed out in view '" + pointer.view + "'";
+    if (isFoundByColour({robot.name, robot.colour}))
+        return fail(ErrorCode::InvalidInput, what, "it is found by its colour",
+                    "pick its colour again, or take the colour from it");
+    const auto view = std::ranges::find_if(
+        views, [&](const RegisteredView &one) { return one.recording.cameraName == pointer.view; });
+    if (view == views.end())
+        return fail(ErrorCode::NotFound, what, "the trial has no such view", "name one of its cameras");
+    const auto frame = frameAt(view->recording, pointer.timeS);
+    if (!frame)
+        return fail(ErrorCode::InvalidInput, what, "the view has no picture at that time",
+                    "name a time within the trial, in seconds");
+    const auto isWithin = [](double at, int size) { return at >= 0 && at <= size - 1; };
+    if (!isWithin(pointer.pixel.x(), view->recording.widthPx) ||
+        !isWithin(pointer.pixel.y(), view->recording.heightPx))
+        return fail(ErrorCode::InvalidInput, what, "the place lies outside the picture",
+                    "name it in pixels from the picture's top left corner");
+    return PointedOutRobot{robot.id, view->recording.id, *frame, pointer.pixel};
+}
+
+} // namespace
+
+Result<std::vector<PointedOutRobot>> pointedOutRobots(Project &project, const TrialRecord &trial,
+                                                      const std::vector<RegisteredView> &views,
+                                                      const std::vector<RobotRecord> &robots,
+                                                      const std::vector<RobotPointer> &pointers)
+{
+    auto all = project.trials().pointedOut(trial.id);
+    if (!all)
+        return all;
+    for (const RobotPointer &pointer : pointers) {
+        const auto robot = std::ranges::find(robots, pointer.robot, &RobotRecord::name);
+        if (robot == robots.end())
+            return fail(ErrorCode::NotFound, "robot '" + pointer.robot + "'",
+                        "it is not tracked in trial '" + trial.name + "'", "name one of its robots");
+        if (pointer.view.empty()) {
+            std::erase_if(*all, [&](const PointedOutRobot &one) { return one.robot == robot->id; });
+            continue;
+        }
+        const auto told = resolved(pointer, *robot, views);
+        if (!told)
+            return tl::unexpected(told.error());
+        std::erase_if(*all, [&](const PointedOutRobot &one) {
+            return one.robot == told->robot && one.recording == told->recording;
+        });
+        all->push_back(*told);
+    }
+    return all;
+}
+
+namespace {
+
+constexpr double leastOfFloorColour = 0.25; // of the frames; what is used in fewer may as well be the floor
+
+double usedShare(const Profile &profile)
+{
+    return double(std::ranges::count_if(profile.samples, isUsed)) /
+           double(std::max<std::size_t>(1, profile.samples.size()));
+}
+
+} // namespace
+
+struct TrackJob::Impl
+{
+    std::string trialName;
+    TrackSettings settings;
+
+    TrialRecord trial;
+    std::optional<TaskRecord> task; ///< of the trial
+    std::vector<RobotRecord> robots;
+    std::vector<RegisteredView> views;
+
+    std::vector<AnalysisOptions> options; ///< one a robot
+    std::vector<PointedOutRobot> pointedOut;
+    std::vector<TrackedView> stored;           ///< with `again`
+    std::vector<std::vector<Sample>> imported; ///< with `again` of imported tracks, one a robot
+    std::vector<ObservationSeries> observations;
+    std::vector<StoredRobot> others; ///< of the trial, which are not tracked now
+    /// of each robot; with `again` those of its newest analysis
+    std::vector<std::vector<DoubtfulName>> doubts;
+    TrackOutcome outcome;
+
+    Result<void> readOptions(Project &project);
+    Result<void> takeImported(Project &project);
+    Result<void> analyseAll(std::vector<TrackedView> &tracked);
+    Result<TaskAnalysis> analyseOne(std::vector<TrackedView> &tracked, std::size_t robot) const;
+    void findOcclusionsIn(const std::vector<TrackedView> &tracked);
+    void addOutcome(AnalysisRecord analysis);
+};
+
+TrackJob::TrackJob(std::string trial, TrackSettings settings) : m_impl(std::make_unique<Impl>())
+{
+    m_impl->trialName = std::move(trial);
+    m_impl->settings = std::move(settings);
+}
+
+TrackJob::~TrackJob() = default;
+
+Result<void> TrackJob::prepare(Project &project)
+{
+    Impl &d = *m_impl;
+    auto trial = project.trials().find(d.trialName);
+    if (!trial)
+        return tl::unexpected(trial.error());
+    d.trial = *trial;
+    if (!d.trial.task.empty()) {
+        auto task = project.tasks().find(d.trial.task);
+        if (!task)
+            return tl::unexpected(task.error());
+        d.task = std::move(*task);
+    }
+    auto robots = robotsToTrack(project, d.trial, d.settings.robots);
+    if (!robots)
+        return tl::unexpected(robots.error());
+    d.robots = std::move(*robots);
+    auto views = registeredViews(project, d.trial);
+    if (!views)
+        return tl::unexpected(views.error());
+    d.views = std::move(*views);
+    if (auto read = d.readOptions(project); !read)
+        return read;
+    auto pointedOut = pointedOutRobots(project, d.trial, d.views, d.robots, d.settings.pointers);
+    if (!pointedOut)
+        return tl::unexpected(pointedOut.error());
+    d.pointedOut = std::move(*pointedOut);
+    const auto imported = importedTracksOf(project, d.trial);
+    if (!imported)
+        return tl::unexpected(imported.error());
+    if (!imported->empty())
+        return d.takeImported(project);
+    auto others = otherRobots(project, d.trial.id, d.views, d.robots);
+    if (!others)
+        return tl::unexpected(others.error());
+    d.others = std::move(*others);
+    if (!d.settings.again)
+        return {};
+    auto stored = storedObservations(project, d.trialName, d.views, d.robots);
+    if (!stored)
+        return tl::unexpected(stored.error());
+    d.stored = std::move(*stored);
+    return {};
+}
+
+Result<void> TrackJob::Impl::readOptions(Project &project)
+{
+    const auto analyses = project.analyses().currentMetrics(trial.id);
+    if (!analyses)
+        return tl::unexpected(analyses.error());
+    options.clear();
+    doubts.clear();
+    for (const RobotRecord &robot : robots) {
+        AnalysisOptions its;
+        const auto newest = std::find_if(analyses->begin(), analyses->end(),
+                                         [&](const AnalysisRecord &one) { return one.robot == robot.id; });
+        if (settings.again && newest != analyses->end())
+            its.smoother = newest->options.smoother;
+        its.smoother = settings.smoother.value_or(its.smoother);
+        auto known = settings.again && newest != analyses->end()
+                         ? project.analyses().doubtfulNames(newest->id)
+                         : Result<std::vector<DoubtfulName>>();
+        if (!known)
+            return tl::unexpected(known.error());
+        doubts.push_back(std::move(*known));
+        const auto told = settings.overrules.find(robot.name);
+        auto overrules =
+            told != settings.overrules.end() ? told->second : project.trials().overrules(trial.id, robot.id);
+        if (!overrules)
+            return tl::unexpected(overrules.error());
+        its.overrules = std::move(*overrules);
+        options.push_back(std::move(its));
+    }
+    return {};
+}
+
+Result<void> TrackJob::Impl::takeImported(Project &project)
+{
+    if (!settings.again)
+        return fail(ErrorCode::InvalidInput, "trial '" + trialName + "'",
+                    "its tracks were imported, so there is no video to track in",
+                    "analyse them anew with: odograph track PROJECT TRIAL --again");
+    for (const RobotRecord &robot : robots) {
+        auto its = project.trials().currentImportedTrack(trial.id, robot.id);
+        if (!its)
+            return tl::unexpected(its.error());
+        if (!*its)
+            return fail(ErrorCode::NotFound, robotInTrial(robot.name, trialName),
+                        "no track of it was imported", "choose a robot of the trial");
+        imported.push_back(std::move((*its)->samples));
+    }
+    return {};
+}
+
+Result<void> TrackJob::run(const JobControl &control)
+{
+    Impl &d = *m_impl;
+    const auto started = std::chrono::steady_clock::now();
+    // what is stored is settled
+    auto tracked = d.settings.again ? Result<SettledViews>(SettledViews{std::move(d.stored), {}})
+                                    : trackAndSettle(d.views, d.robots, control, d.pointedOut);
+    if (!tracked)
+        return tl::unexpected(tracked.error());
+    if (!d.settings.again)
+        d.doubts = doubtfulNamesOf(tracked->doubts, d.robots);
+    d.outcome.warnings = stepWarnings(d.trialName, d.views);
+    control.report(0.97, "analysing");
+    if (auto analysed = d.analyseAll(tracked->views); !analysed)
+        return analysed;
+
+    std::int64_t pictures = 0;
+    for (TrackedView &view : tracked->views) {
+        d.outcome.decodeS += toSeconds(view.decodeCpuTime);
+        pictures += view.frames;
+        if (d.settings.again)
+            continue;
+        for (ObservationSeries &series : view.series)
+            d.observations.push_back(std::move(series));
+    }
+    d.outcome.trial = d.trialName;
+    d.outcome.wallS = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    d.outcome.framesPerSecond = d.outcome.wallS > 0 ? double(pictures) / d.outcome.wallS : 0;
+    return {};
+}
+
+Result<TaskAnalysis> TrackJob::Impl::analyseOne(std::vector<TrackedView> &tracked, std::size_t robot) const
+{
+    if (!imported.empty()) {
+        const std::vector<Sample> &raw = imported[robot];
+        return analyseByTask([&](const AnalysisOptions &by) { return analyseImported(raw, by); },
+                             optionsForImported(options[robot], raw), task);
+    }
+    auto tracks = takeViewTracks(views, tracked, robot);
+    auto analysed =
+        analyseByTask([&](const AnalysisOptions &by) { return analyse(tracks, shapeOf(robots[robot]), by); },
+                      options[robot], task);
+    returnObservations(std::move(tracks), tracked, robot);
+    return analysed;
+}
+
+Result<void> TrackJob::Impl::analyseAll(std::vector<TrackedView> &tracked)
+{
+    for (std::size_t r = 0; r < robots.size(); ++r) {
+        const RobotRecord &robot = robots[r];
+        const auto floorColour = floorColourOf(robot, trialName, views, tracked, r);
+        if (floorColour && floorColour->hardlyEverFound)
+            return tl::unexpected(floorColour->error);
+        AnalysisRecord analysis = newAnalysis(trial, robot, views, options[r]);
+        auto analysed = analyseOne(tracked, r);
+        if (!analysed) {
+            Error error = analysed.error();
+            error.what = robotInTrial(robot.name, trialName);
+            bool isAnotherSeen = false;
+            for (std::size_t other = 0; imported.empty() && other < robots.size(); ++other)
+                isAnotherSeen = isAnotherSeen || isEverSeen(views, tracked, other);
+            if (isAnotherSeen && !isEverSeen(views, tracked, r))
+                error.advice = "track only the robots that are in the pictures (--robot)";
+            return tl::unexpected(floorColour ? floorColour->error : error);
+        }
+        if (floorColour && usedShare(analysed->profile) < leastOfFloorColour)
+            return tl::unexpected(floorColour->error);
+        analysis.task = task ? task->id : 0;
+        analysis.options = std::move(analysed->options);
+        analysis.profile = std::move(analysed->profile);
+        analysis.doubtfulNames = doubts[r];
+        if (!analysed->doubt.empty())
+            outcome.warnings.push_back(robotInTrial(robot.name, trialName) + ": " + analysed->doubt);
+        if (floorColour)
+            outcome.warnings.push_back(floorColour->error.message());
+        for (std::string &warning : analysisWarnings(analysis, trialName))
+            outcome.warnings.push_back(std::move(warning));
+        addOutcome(std::move(analysis));
+    }
+    if (imported.empty())
+        findOcclusionsIn(tracked);
+    return {};
+}
+
+void TrackJob::Impl::findOcclusionsIn(const std::vector<TrackedView> &tracked)
+{
+    std::vector<const AnalysisRecord *> analyses;
+    for (const TrackedRobot &robot : outcome.robots)
+        analyses.push_back(&robot.analysis);
+    auto occlusions = trackedOcclusions(views, tracked, analyses, others);
+    for (std::size_t r = 0; r < occlusions.size(); ++r) {
+        removeSpikesOfPassing(occlusions[r], outcome.robots[r].analysis.profile.spikes);
+        outcome.robots[r].occlusions = std::move(occlusions[r]);
+    }
+}
+
+void TrackJob::Impl::addOutcome(AnalysisRecord analysis)
+{
+    TrackedRobot result;
+    result.name = analysis.robotName;
+    result.isFoundByColour = std::ranges::any_of(robots, [&](const RobotRecord &robot) {
+        return robot.id == analysis.robot && isFoundByColour({robot.name, robot.colour});
+    });
+    result.frames = static_cast<std::int64_t>(analysis.profile.samples.size());
+    for (const Sample &sample : analysis.profile.samples)
+        result.tracked += sample.position.has_value();
+    if (!settings.again || !analysis.doubtfulNames.empty())
+        result.doubtfulS = doubtfulSeconds(analysis.doubtfulNames);
+    result.analysis = std::move(analysis);
+    outcome.robots.push_back(std::move(result));
+}
+
+Result<void> TrackJob::commit(Project &project)
+{
+    Impl &d = *m_impl;
+    return project.note((d.observations.empty() ? "measure " : "track ") + d.trial.name +
+                            (d.observations.empty() ? " again" : ""),
+                        [&]() -> Result<void> {
+                            if (d.task && !project.tasks().get(d.task->id))
+                                return fail(ErrorCode::InvalidInput, "trial '" + d.trial.name + "'",
+                                            "its task was changed while it was measured", "measure it again");
+                            for (const ObservationSeries &series : d.observations) {
+                                if (auto stored = project.trials().addObservations(series); !stored)
+                                    return stored;
+                            }
+                            if (!d.settings.pointers.empty()) {
+                                if (auto stored = project.trials().setPointedOut(d.trial.id, d.pointedOut);
+                                    !stored)
+                                    return stored;
+                            }
+                            for (TrackedRobot &robot : d.outcome.robots) {
+                                auto stored = project.analyses().add(std::move(robot.analysis));
+                                if (!stored)
+                                    return tl::unexpected(stored.error());
+                                robot.analysis = std::move(*stored);
+                            }
+                            std::vector<RecordId> all = d.trial.robots;
+                            for (const RobotRecord &robot : d.robots) {
+                                if (std::find(all.begin(), all.end(), robot.id) == all.end())
+                                    all.push_back(robot.id);
+                            }
+                            return project.trials().setRobots(d.trial.id, all);
+                        });
+}
+
+const TrackOutcome &TrackJob::outcome() const
+{
+    return m_impl->outcome;
+}
+
+} // namespace odo

@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/track/view_tracking.h"
+
+#include "core/base/job_control.h"
+#include "core/base/shortage.h"
+#include "core/project/project.h"
+#include "core/project/records.h"
+#include "core/project/repositories.h"
+#include "core/tracking/background.h"
+#include "core/tracking/robot_tracker.h"
+#include "core/trajectory/solid_choice.h"
+#include "core/video/frame_stream.h"
+#include "core/workflow/track/track_warnings.h"
+#include "core/workflow/trial_sources.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <mutex>
+#include <optional>
+
+namespace odo {
+
+/// The background of a recording, from some ten frames a second of all of it. nullopt: it has no frame.
+/// onPicture: after each frame. Errors: a recording that is missing or is no video; cancelled.
+Result<std::optional<Background>> learnBackground(const RegisteredView &view, const CancelToken &cancel,
+                                                  const std::function<void()> &onPicture);
+
+namespace {
+
+constexpr double wantedPerSecond = 10; // frames that are looked at
+constexpr std::size_t learnedAhead = 4;
+
+} // namespace
+
+Result<std::optional<Background>> learnBackground(const RegisteredView &view, const CancelToken &cancel,
+                                                  const std::function<void()> &onPicture)
+{
+    auto stream = FrameStream::open(view.file, learnedAhead, cancel);
+    if (!stream)
+        return tl::unexpected(stream.error());
+    const std::int64_t step =
+        std::max<std::int64_t>(1, std::llround((*stream)->info().framesPerSecond / wantedPerSecond));
+    BackgroundLearner learner;
+    while (true) {
+        if (cancel.isCancelled())
+            return cancelled("tracking");
+        auto frame = (*stream)->pop();
+        if (!frame)
+            return tl::unexpected(frame.error());
+        if (!*frame)
+            return learner.learned();
+        if ((*frame)->index % step == 0)
+            learner.add(**frame);
+        onPicture();
+    }
+}
+
+namespace {
+
+// of what found the robot
+constexpr const char *colourVersion = "colour-ellipse 1", *silhouetteVersion = "silhouette 1";
+constexpr std::size_t framesAhead = 8;
+constexpr std::size_t othersFollowed = 5; // that may be robots of any look
+
+/// Counts the pictures of all views and reports now and then; any thread.
+class SharedProgress
+{
+public:
+    /// from, to: the part of the job that its pictures are.
+    SharedProgress(const JobControl &control, std::int64_t total, double from, double to)
+        : m_control(control), m_total(std::max<std::int64_t>(total, 1)), m_from(from), m_to(to)
+    {
+    }
+
+    void countPicture()
+    {
+        const std::int64_t done = ++m_done;
+        if (done % 20 != 0)
+            return;
+        const std::lock_guard lock(m_mutex); // the caller's function need not be thread-safe
+        m_control.report(m_from + (m_to - m_from) * double(done) / double(m_total),
+                         "tracking, picture " + std::to_string(done) + " of " + std::to_string(m_total));
+    }
+
+private:
+    const JobControl &m_control;
+    const std::int64_t m_total;
+    const double m_from, m_to;
+    std::atomic<std::int64_t> m_done{0};
+    std::mutex m_mutex;
+};
+
+std::vector<TrackTarget> targetsOf(const std::vector<RobotRecord> &robots)
+{
+    std::vector<TrackTarget> targets;
+    for (const RobotRecord &robot : robots)
+        targets.push_back({robot.name, robot.colour});
+    return targets;
+}
+
+/// None without a robot. background: learned where it is needed and not known.
+Result<std::unique_ptr<RobotTracker>> trackerFor(const RegisteredView &view,
+                                                 const std::vector<TrackTarget> &targets,
+                                                 const JobControl &control, SharedProgress &progress,
+                                                 std::optional<Background> &background)
+{
+    if (targets.empty())
+        return nullptr;
+    if (needsBackground(targets) && !background) {
+        auto learned = learnBackground(view, control.cancel, [&progress] { progress.countPicture(); });
+        if (!learned)
+            return tl::unexpected(learned.error());
+        background = std::move(*learned);
+    }
+    return RobotTracker::create(targets, background, view.floorView, othersFollowed);
+}
+
+Result<TrackedView> trackView(const RegisteredView &view, const std::vector<RobotRecord> &robots,
+                              const std::vector<TrackTarget> &targets, const JobControl &control,
+                              SharedProgress &progress, WithLight light, std::optional<Background> background)
+{
+    const auto tracker = trackerFor(view, targets, control, progress, background);
+    if (!tracker)
+        return tl::unexpected(tracker.error());
+    auto reader = VideoReader::open(view.file, control.cancel);
+    if (!reader)
+        return tl::unexpected(reader.error());
+    // Decoding only what the tracker will look at is so much cheaper that a thread that decodes ahead, and
+    // cannot know it, would be slower.
+    const bool byRegion = *tracker && (*reader)->decodesRegions();
+    FrameStream stream(std::move(*reader), byRegion ? 0 : framesAhead);
+
+    TrackedView tracked;
+    tracked.background = std::move(background);
+    LightMeter lightMeter;
+    for (std::size_t r = 0; r < robots.size(); ++r)
+        tracked.series.push_back({view.recording.id,
+                                  robots[r].id,
+                                  needsBackground({targets[r]}) ? silhouetteVersion : colourVersion,
+                                  {}});
+    const std::vector<Nanoseconds> &times = view.recording.frameTimes;
+    for (ObservationSeries &series : tracked.series)
+        series.observations.reserve(times.size());
+    for (std::size_t next = 0;;) {
+        if (control.isCancelled())
+            return cancelled("tracking");
+        auto frame = stream.pop(byRegion && next < times.size() ? (*tracker)->neededRegion(times[next])
+                                                                : std::nullopt);
+        if (!frame)
+            return tl::unexpected(frame.error());
+        if (!*frame)
+            break;
+        // The times kept in the project are the truth, whatever becomes of the file.
+        const auto index = static_cast<std::size_t>((*frame)->index);
+        if (index < times.size())
+            (*frame)->time = times[index];
+        next = index + 1;
+        if (light == WithLight::Measured)
+            tracked.light.push_back(lightMeter.measure(**frame));
+        const std::vector<Observation> observations =
+            *tracker ? (*tracker)->track(**frame) : std::vector<Observation>{};
+        for (std::size_t r = 0; r < observations.size(); ++r)
+            tracked.series[r].observations.push_back(observations[r]);
+        const std::vector<Observation> none, &others = *tracker ? (*tracker)->others() : none;
+        tracked.others.resize(others.size());
+        for (std::size_t i = 0; i < others.size(); ++i)
+            tracked.others[i].push_back(others[i]);
+        ++tracked.frames;
+        progress.countPicture();
+    }
+    tracked.damagedFrames = stream.damagedFrames();
+    tracked.decodeCpuTime = stream.decodeCpuTime();
+    if (*tracker)
+        tracked.sharesAlike = (*tracker)->sharesAlike();
+    return tracked;
+}
+
+/// The part of a job in which everything is tracked, and that in which it is done once more where that is
+/// needed.
+struct JobPart
+{
+    double from = 0, to = 0;
+};
+constexpr JobPart firstPass{0, 0.6}, secondPass{0.6, 0.95}, onlyPass{0, 1};
+
+Result<std::vector<TrackedView>> trackTargets(const std::vector<RegisteredView> &views,
+                                              const std::vector<RobotRecord> &robots,
+                                              const std::vector<TrackTarget> &targets,
+                                              const JobControl &control, const JobPart &part, WithLight light,
+                                              std::vector<std::optional<Background>> backgrounds = {})
+{
+    backgrounds.resize(views.size());
+    std::int64_t total = 0;
+    for (const RegisteredView &view : views)
+        total += static_cast<std::int64_t>(view.recording.frameTimes.size());
+    // for which everything is read twice
+    if (needsBackground(targets) &&
+        std::ranges::any_of(backgrounds, [](const auto &known) { return !known; }))
+        total *= 2;
+    SharedProgress progress(control, total, part.from, part.to);
+
+    std::vector<Result<TrackedView>> results(views.size(), TrackedView{});
+    sideBySide(views.size(), [&](std::size_t v) {
+        results[v] =
+            trackView(views[v], robots, targets, control, progress, light, std::move(backgrounds[v]));
+    });
+
+    std::vector<TrackedView> tracked;
+    for (auto &result : results) {
+        if (!result)
+            return tl::unexpected(result.error());
+        tracked.push_back(std::move(*result));
+    }
+    return tracked;
+}
+
+/// Whether a robot was measured by its silhouette, not by its colour.
+bool isBySilhouette(const std::vector<TrackedView> &tracked, std::size_t robot)
+{
+    return std::ranges::any_of(tracked, [robot](const TrackedView &view) {
+        return std::ranges::any_of(view.series[robot].observations,
+                                   [](const Observation &one) { return !one.supportPx.empty(); });
+    });
+}
+
+double explainedShareOf(const std::vector<RegisteredView> &views, std::vector<TrackedView> &tracked,
+                        const RobotRecord &robot, std::size_t number)
+{
+    std::vector<ViewTrack> tracks = takeViewTracks(views, tracked, number);
+    const double share = explainedShare(tracks, shapeOf(robot));
+    returnObservations(std::move(tracks), tracked, number);
+    return share;
+}
+
+} // namespace
+
+Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &views,
+                                            const std::vector<RobotRecord> &robots, const JobControl &control,
+                                            WithLight light)
+{
+    constexpr double mostlyExplained = 0.95, clearlyMore = 0.03, farMore = 0.3;
+    std::vector<TrackTarget> targets = targetsOf(robots);
+    auto tracked = trackTargets(views, robots, targets, control, firstPass, light);
+    std::vector<std::pair<std::size_t, double>> partly; // robots, and how much is explained of them
+    for (std::size_t r = 0; tracked && r < robots.size(); ++r) {
+        if (!isFoundByColour(targets[r]) || robots[r].heightMode == RobotRecord::Height::Free ||
+            !isEverSeen(views, *tracked, r))
+            continue;
+        if (floorColourOf(robots[r], {}, views, *tracked, r)) // which does not tell it from anything
+            continue;
+        const double share = explainedShareOf(views, *tracked, robots[r], r);
+        if (share >= mostlyExplained)
+            continue;
+        targets[r].wholeOutline = true;
+        partly.emplace_back(r, share);
+    }
+    if (partly.empty())
+        return tracked;
+    auto whole = trackTargets(views, robots, targets, control, secondPass, WithLight::Ignored);
+    if (!whole)
+        return whole;
+    for (std::size_t v = 0; v < views.size(); ++v)
+        (*tracked)[v].background = std::move((*whole)[v].background);
+    for (const auto &[r, share] : partly) {
+        // Where a board hides the robot for a while neither is explained, and its whole outline is hidden
+        // more often.
+        const double explained = explainedShareOf(views, *whole, robots[r], r);
+        if (explained < share + (explained >= mostlyExplained ? clearlyMore : farMore))
+            continue;
+        for (std::size_t v = 0; v < views.size(); ++v)
+            (*tracked)[v].series[r] = std::move((*whole)[v].series[r]);
+    }
+    return tracked;
+}
+
+Result<std::vector<TrackedView>> trackAgain(const std::vector<RegisteredView> &views,
+                                            const std::vector<RobotRecord> &robots,
+                                            const std::vector<TrackedView> &before, float darkestShadow,
+                                            const JobControl &control)
+{
+    std::vector<TrackTarget> targets = targetsOf(robots);
+    for (std::size_t r = 0; r < robots.size(); ++r)
+        targets[r].wholeOutline = isBySilhouette(before, r);
+    std::vector<std::optional<Background>> backgrounds;
+    for (const TrackedView &view : before) {
+        backgrounds.push_back(view.background);
+        if (backgrounds.back())
+            backgrounds.back()->darkestShadow = darkestShadow;
+    }
+    auto again =
+        trackTargets(views, robots, targets, control, onlyPass, WithLight::Ignored, std::move(backgrounds));
+    for (std::size_t v = 0; again && v < views.size(); ++v) {
+        (*again)[v].light = before[v].light;
+        for (std::size_t r = 0; r < robots.size(); ++r)
+            if (isFoundByColour(targets[r]) && !targets[r].wholeOutline)
+                (*again)[v].series[r] = before[v].series[r];
+    }
+    return again;
+}
+
+bool isEverSeen(const std::vector<RegisteredView> &views, const std::vector<TrackedView> &tracked,
+                std::size_t robot)
+{
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        const auto &observations = tracked[v].series[robot].observations;
+        if (views[v].floorView && std::ranges::any_of(observations, &Observation::found))
+            return true;
+    }
+    return false;
+}
+
+std::vector<ViewTrack> takeViewTracks(const std::vector<RegisteredView> &views,
+                                      std::vector<TrackedView> &tracked, std::size_t robot)
+{
+    std::vector<ViewTrack> tracks;
+    for (std::size_t v = 0; v < views.size(); ++v)
+        tracks.push_back({views[v].recording.cameraName, views[v].floorView,
+                          fromSeconds(views[v].recording.startOffsetS),
+                          std::move(tracked[v].series[robot].observations), views[v].recording.clockRate});
+    return tracks;
+}
+
+void returnObservations(std::vector<ViewTrack> tracks, std::vector<TrackedView> &tracked, std::size_t robot)
+{
+    for (std::size_t v = 0; v < tracks.size(); ++v)
+        tracked[v].series[robot].observations = std::move(tracks[v].observations);
+}
+
+RobotShape shapeOf(const RobotRecord &robot)
+{
+    RobotShape shape;
+    if (robot.heightMode == RobotRecord::Height::Told)
+        shape.heightM = robot.heightM;
+    shape.heightVaries = robot.heightMode == RobotRecord::Height::Free;
+    shape.lengthM = robot.lengthM;
+    shape.widthM = robot.widthM;
+    shape.referenceM = robot.referenceM;
+    return shape;
+}
+
+AnalysisRecord newAnalysis(const TrialRecord &trial, const RobotRecord &robot,
+                           const std::vector<RegisteredView> &views, AnalysisOptions options)
+{
+    AnalysisRecord analysis;
+    analysis.trial = trial.id;
+    analysis.robot = robot.id;
+    analysis.robotName = robot.name;
+    analysis.made = instantNow();
+    analysis.softwareVersion = ODOGRAPH_VERSION;
+    analysis.options = std::move(options);
+    for (const RegisteredView &view : views) {
+        analysis.registrations.push_back(view.registration ? view.registration->id : 0);
+        analysis.views.push_back(view.recording.cameraName);
+    }
+    return analysis;
+}
+
+Result<std::vector<TrackedView>> storedObservations(Project &project, const std::string &trialName,
+                                                    const std::vector<RegisteredView> &views,
+                                                    const std::vector<RobotRecord> &robots)
+{
+    std::vector<TrackedView> stored(views.size());
+    for (const RobotRecord &robot : robots) {
+        bool known = false;
+        for (std::size_t v = 0; v < views.size(); ++v) {
+            const RecordId recording = views[v].recording.id;
+            auto series = project.trials().currentObservations(recording, robot.id);
+            if (!series)
+                return tl::unexpected(series.error());
+            known |= series->has_value();
+            stored[v].series.push_back(*series ? std::move(**series)
+                                               : ObservationSeries{recording, robot.id, {}, {}});
+            stored[v].frames = std::max(
+                stored[v].frames, static_cast<std::int64_t>(stored[v].series.back().observations.size()));
+        }
+        if (!known)
+            return fail(ErrorCode::NotFound, "robot '" + robot.name + "' in trial '" + trialName + "'",
+                        "it has not been tracked yet, so there is nothing to analyse again",
+                        "run odograph track without --again first");
+    }
+    return stored;
+}
+
+} // namespace odo

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/job_control.h"
+#include "core/project/records.h"
+#include "core/tracking/background.h"
+#include "core/tracking/light_meter.h"
+#include "core/workflow/trial_sources.h"
+
+#include <vector>
+
+namespace odo {
+
+/// What one view gave: a series of observations for each robot, in the robots' order.
+struct TrackedView
+{
+    std::vector<ObservationSeries> series;
+    /// Likewise of each other thing that was followed, where a robot is of any look: it may be the robot
+    /// (settleNames).
+    std::vector<std::vector<Observation>> others;
+    std::int64_t frames = 0;
+    std::int64_t damagedFrames = 0;
+    Nanoseconds decodeCpuTime{0};
+    /// Of each robot: the part of the first picture that has its told colour. Empty where nothing was
+    /// decoded.
+    std::vector<double> sharesAlike;
+    std::vector<LightLevel> light;        ///< of every frame, where it was asked for
+    std::optional<Background> background; ///< by which robots were found, where one was needed
+};
+
+enum class WithLight { Ignored, Measured };
+
+/// Decodes and tracks all views at once, a thread to track and a thread to decode for each; MJPEG is decoded
+/// by the thread that tracks, which alone knows what part of the next picture it needs. Without a robot only
+/// the light is measured. A robot whose coloured outlines no box, cylinder or plate explains (it has wheels,
+/// parts of other colours, openings) is tracked once more by its whole silhouette, told from others by its
+/// colour, and so measured where that explains more. Touches no project. Errors: a recording that is missing
+/// or is no video; cancelled.
+Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &views,
+                                            const std::vector<RobotRecord> &robots, const JobControl &control,
+                                            WithLight light = WithLight::Ignored);
+
+/// Tracks once more what trackViews measured by its silhouette, before the same backgrounds, as if a shadow
+/// left the floor no less than this share of its luma. All other series stay as they are.
+Result<std::vector<TrackedView>> trackAgain(const std::vector<RegisteredView> &views,
+                                            const std::vector<RobotRecord> &robots,
+                                            const std::vector<TrackedView> &before, float darkestShadow,
+                                            const JobControl &control);
+
+/// Whether any registered view found a robot, by its number, in any frame.
+bool isEverSeen(const std::vector<RegisteredView> &views, const std::vector<TrackedView> &tracked,
+                std::size_t robot);
+
+/// One robot's part of what trackViews gave, ready to be analysed. Its observations are moved there, not
+/// copied: an hour of them is 16 MB a view. returnObservations gives them back.
+std::vector<ViewTrack> takeViewTracks(const std::vector<RegisteredView> &views,
+                                      std::vector<TrackedView> &tracked, std::size_t robot);
+void returnObservations(std::vector<ViewTrack> tracks, std::vector<TrackedView> &tracked, std::size_t robot);
+
+RobotShape shapeOf(const RobotRecord &robot);
+
+/// An analysis with its provenance filled in and its profile still empty.
+AnalysisRecord newAnalysis(const TrialRecord &trial, const RobotRecord &robot,
+                           const std::vector<RegisteredView> &views, AnalysisOptions options);
+
+/// What trackViews once gave and the project has kept: the newest observations of each robot in each view,
+/// none where a view was never tracked. NotFound for a robot that no view was tracked for. Project's thread.
+Result<std::vector<TrackedView>> storedObservations(Project &project, const std::string &trialName,
+                                                    const std::vector<RegisteredView> &views,
+                                                    const std::vector<RobotRecord> &robots);
+
+} // namespace odo

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/floor_view.h"
+#include "core/project/records.h"
+#include "core/trajectory/view_clock.h"
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace odo {
+
+class Project;
+
+/// A view of a trial with the calibration that is in force for its camera.
+struct RegisteredView
+{
+    RecordingRecord recording;
+    std::filesystem::path file;
+    std::optional<RegistrationRecord> registration;
+    std::optional<FloorView> floorView; ///< empty: not registered, or registered at another picture shape
+};
+
+/// How the clock of a trial's recording lies against the first view's.
+ViewClock clockOf(const RecordingRecord &recording);
+
+/// The camera registered to the floor, from the stored registration and the intrinsics that it was made with,
+/// whose uncertainty it carries to the floor.
+Result<FloorView> floorViewOf(Project &project, const RegistrationRecord &registration);
+
+/// The camera as it is registered now; nullopt where it is not. Project's thread.
+Result<std::optional<FloorView>> floorViewInForce(Project &project, RecordId camera);
+
+/// The views of a trial in their order. A recording of another picture size than its camera was calibrated at
+/// is an Error: the figures would be wrong in silence. Project's thread.
+Result<std::vector<RegisteredView>> registeredViews(Project &project, const TrialRecord &trial);
+
+/// The robots named; or else those of the trial; or else all of the project. NotFound for a name that is not
+/// there, and when there is no robot at all.
+Result<std::vector<RobotRecord>> robotsToTrack(Project &project, const TrialRecord &trial,
+                                               const std::vector<std::string> &names);
+
+/// Where the tracks came from that another program measured of a trial's robots, without their samples, in
+/// the robots' order; none of a trial that has recordings. On the project's thread.
+Result<std::vector<ImportedTrack>> importedTracksOf(Project &project, const TrialRecord &trial);
+
+} // namespace odo

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every stated σ of a metric against the scatter of that metric over many noisy runs of known truth.
+#include "core/analysis/metrics.h"
+#include "core/trajectory/internal/track_profile.h"
+
+#include "tests/support/registered_test.h"
+#include "tests/trajectory/synthetic_trial.h"
+
+#include <QTest>
+#include <map>
+
+using namespace odo;
+using namespace odo::test;
+
+namespace {
+
+/// Rests a second, speeds up evenly along a circle, runs, brakes evenly, rests.
+Course circleWithRests(double radiusM, double accelMps2, double speedMps, double runS)
+{
+    return [=](double t) {
+        const double ramp = speedMps / accelMps2, u = std::clamp(t - 1, 0.0, 2 * ramp + runS);
+        double path = 0;
+        if (u < ramp)
+            path = accelMps2 * u * u / 2;
+        else if (u < ramp + runS)
+            path = speedMps * (u - ramp / 2);
+        else
+            path = speedMps * (ramp + runS) - accelMps2 * std::pow(2 * ramp + runS - u, 2) / 2;
+        Truth truth;
+        truth.position = radiusM * Eigen::Vector2d(std::cos(path / radiusM), std::sin(path / radiusM));
+        return truth;
+    };
+}
+
+/// Swings to and fro along x with a speed that varies.
+Course wave()
+{
+    return [](double t) {
+        Truth truth;
+        truth.position = {0.9 * std::sin(1.1 * t), 0.3 * std::sin(0.7 * t)};
+        return truth;
+    };
+}
+
+std::vector<Metric> measured(const Course &course, double durationS, double sigmaM, std::mt19937 &random,
+                             double jerkDensity = 20)
+{
+    std::vector<Sample> samples;
+    std::normal_distribution<double> noise(0, sigmaM);
+    for (int i = 0; i < durationS * 30; ++i) {
+        Sample sample;
+        sample.frame = i;
+        sample.time = fromSeconds(i / 30.0);
+        sample.position = course(i / 30.0).position + Eigen::Vector2d(noise(random), noise(random));
+        sample.covariance = Eigen::Matrix2d::Identity() * sigmaM * sigmaM;
+        samples.push_back(sample);
+    }
+    const auto points = makePoints(samples, {}, {}, {jerkDensity, 1});
+    return measureRun(samples, points);
+}
+
+std::map<std::string, Metric> byName(const std::vector<Metric> &metrics)
+{
+    std::map<std::string, Metric> named;
+    for (const Metric &metric : metrics)
+        named[metric.name] = metric;
+    return named;
+}
+
+} // namespace
+
+class TestMetrics : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void aCircleInClosedForm()
+    {
+        // 0.5 m radius, 2 m/s² to 0.8 m/s, 4 s even: path 0.8·4.4 m, duration 4.8 s.
+        std::mt19937 random(1);
+        auto metrics = byName(measured(circleWithRests(0.5, 2, 0.8, 4), 7, 0.0005, random));
+        const auto near = [&](const char *name, double value, double tolerance) {
+            const bool is = metrics.contains(name) && std::abs(metrics[name].value - value) <= tolerance;
+            if (!is)
+                qWarning("%s is %f", name, metrics.contains(name) ? metrics[name].value : 0.0);
+            return is;
+        };
+        QVERIFY(near("path_length", 3.52, 0.01));
+        QVERIFY(near("duration", 4.8, 0.08));
+        QVERIFY(near("median_speed", 0.8, 0.01));
+        QVERIFY(near("p95_speed", 0.8, 0.03));
+        QVERIFY(near("max_speed", 0.8, 0.03));
+        QVERIFY(near("circle_radius", 0.5, 0.002));
+        QVERIFY(near("stops", 0, 0));
+        QVERIFY(near("standing_time", 0, 1e-9));
+        const double chord = 2 * 0.5 * std::abs(std::sin(3.52 / 0.5 / 2));
+        QVERIFY(near("straightness", chord / 3.52, 0.01));
+    }
+
+    void stopsAndTheTimeStood()
+    {
+        // Three runs of 1 s along x with rests of 1.5 s between.
+        const Course course = [](double t) {
+            const int leg = static_cast<int>(std::max(0.0, t - 0.5) / 2.5);
+            const double u = std::min(std::max(0.0, t - 0.5) - 2.5 * leg, 1.0);
+            Truth truth;
+            truth.position.x() = -1 + 0.6 * (leg > 2 ? 3 : leg + u * u * (3 - 2 * u));
+            return truth;
+        };
+        std::mt19937 random(2);
+        auto metrics = byName(measured(course, 8, 0.0005, random));
+        QCOMPARE(metrics["stops"].value, 2.0);
+        QVERIFY2(std::abs(metrics["standing_time"].value - 3) < 0.15,
+                 qPrintable(QString::number(metrics["standing_time"].value)));
+        QVERIFY(std::abs(metrics["moving_time"].value + metrics["standing_time"].value -
+                         metrics["duration"].value) < 1e-9);
+        QCOMPARE(metrics.count("circle_radius"), std::size_t(0));
+    }
+
+    void sigmasAgreeWithMonteCarlo_data()
+    {
+        QTest::addColumn<int>("motion");
+        QTest::addColumn<QStringList>("names");
+        QTest::newRow("circle with rests")
+            << 0
+            << QStringList{QStringLiteral("path_length"), QStringLiteral("duration"),
+                           QStringLiteral("mean_speed"), QStringLiteral("circle_radius"),
+                           QStringLiteral("straightness")};
+        QTest::newRow("wave") << 1
+                              << QStringList{QStringLiteral("median_speed"), QStringLiteral("p95_speed"),
+                                             QStringLiteral("path_length"), QStringLiteral("max_speed")};
+    }
+    void sigmasAgreeWithMonteCarlo()
+    {
+        QFETCH(int, motion);
+        QFETCH(QStringList, names);
+        const Course course = motion == 0 ? circleWithRests(0.5, 2, 0.8, 4) : wave();
+        std::mt19937 random(7);
+        constexpr int runs = 150;
+        std::map<std::string, std::vector<double>> values, sigmas;
+        for (int run = 0; run < runs; ++run) {
+            for (const Metric &metric : measured(course, 7, 0.002, random, motion == 0 ? 20 : 3)) {
+                values[metric.name].push_back(metric.value);
+                sigmas[metric.name].push_back(metric.sigma.value_or(0));
+            }
+        }
+        bool good = true;
+        for (const QString &name : names) {
+            const auto &all = values[name.toStdString()];
+            double mean = 0, variance = 0, stated = 0;
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                mean += all[i] / double(all.size());
+                stated += sigmas[name.toStdString()][i] / double(all.size());
+            }
+            for (const double value : all)
+                variance += (value - mean) * (value - mean) / double(all.size() - 1);
+            const double ratio = stated / std::sqrt(variance);
+            qInfo("%s: stated over true σ %.2f", qPrintable(name), ratio);
+            good &= all.size() > runs * 0.95 && ratio > 0.7 && ratio < 1.4;
+        }
+        QVERIFY(good);
+    }
+
+    void whatIsNoCircleHasNoRadius()
+    {
+        std::vector<Eigen::Vector2d> line, arc, square;
+        for (int i = 0; i < 40; ++i) {
+            line.emplace_back(0.02 * i, 0.01 * i);
+            arc.emplace_back(std::cos(0.02 * i), std::sin(0.02 * i)); // 45°
+            const double u = i % 10 / 10.0;
+            square.emplace_back(i < 10   ? u
+                                : i < 20 ? 1
+                                : i < 30 ? 1 - u
+                                         : 0,
+                                i < 10   ? 0
+                                : i < 20 ? u
+                                : i < 30 ? 1
+                                         : 1 - u);
+        }
+        QVERIFY(!fitCircle(line));
+        QVERIFY(!fitCircle(arc));
+        QVERIFY(!fitCircle(square));
+        QVERIFY(!fitCircle({}));
+        QVERIFY(!fitCircle(std::vector<Eigen::Vector2d>(20, {1, 1})));
+    }
+};
+
+ODOGRAPH_TEST(TestMetrics, QCoreApplication)
+#include "tst_metrics.moc"

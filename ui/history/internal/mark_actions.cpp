@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/history/internal/mark_actions.h"
+
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/workflow/empty_bin.h"
+#include "ui/views/widgets/command_keys.h"
+#include "ui/views/widgets/theme.h"
+
+#include <QAction>
+#include <QLocale>
+#include <QMessageBox>
+#include <QPushButton>
+#include <algorithm>
+
+namespace odo {
+
+MarkActions::MarkActions(Project &project, QWidget &window)
+    : QObject(&window), m_project(project), m_window(window),
+      m_star(new QAction(themeIcon(QStringLiteral("star")), tr("&Star"), this)),
+      m_archive(new QAction(themeIcon(QStringLiteral("archive")), tr("&Archive"), this)),
+      m_bin(new QAction(themeIcon(QStringLiteral("bin")), tr("&Delete"), this)),
+      m_empty(new QAction(tr("&Empty the bin…"), this))
+{
+    nameCommands({{m_star, "starTrials"},
+                  {m_archive, "archiveTrials"},
+                  {m_bin, "deleteTrials"},
+                  {m_empty, "emptyBin"}});
+    m_star->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_D));
+    m_bin->setShortcut(QKeySequence(Qt::Key_Delete));
+    for (QAction *action : {m_star, m_archive, m_bin, m_empty})
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    connect(m_star, &QAction::triggered, this, [this] {
+        const bool to = !std::ranges::all_of(m_trials, &TrialRecord::starred);
+        change(
+            to ? tr("star %1") : tr("take the star off %1"),
+            to ? tr("star %1 trials") : tr("take the star off %1 trials"),
+            [](Project &changed, const TrialRecord &trial, bool starred) {
+                return changed.trials().setStarred(trial.id, starred);
+            },
+            to);
+    });
+    connect(m_archive, &QAction::triggered, this, [this] {
+        const bool to = !std::ranges::all_of(
+            m_trials, [](const TrialRecord &trial) { return trial.archived.has_value(); });
+        change(
+            to ? tr("archive %1") : tr("take %1 out of the archive"),
+            to ? tr("archive %1 trials") : tr("take %1 trials out of the archive"),
+            [](Project &changed, const TrialRecord &trial, bool archived) {
+                return changed.trials().setArchived(trial.id, archived);
+            },
+            to);
+    });
+    connect(m_bin, &QAction::triggered, this, [this] {
+        const bool to = !m_binShown;
+        change(
+            to ? tr("delete %1") : tr("take %1 out of the bin"),
+            to ? tr("delete %1 trials") : tr("take %1 trials out of the bin"),
+            [](Project &changed, const TrialRecord &trial, bool binned) {
+                return changed.trials().setBinned(trial.id, binned);
+            },
+            to);
+    });
+    connect(m_empty, &QAction::triggered, this, &MarkActions::askToEmpty);
+    updateActions();
+}
+
+void MarkActions::setTrials(std::vector<TrialRecord> trials)
+{
+    m_trials = std::move(trials);
+    updateActions();
+}
+
+void MarkActions::setReadOnly(bool readOnly)
+{
+    m_readOnly = readOnly;
+    updateActions();
+}
+
+void MarkActions::setBinShown(bool shown)
+{
+    m_binShown = shown;
+    updateActions();
+}
+
+void MarkActions::updateActions()
+{
+    const bool some = !m_trials.empty() && !m_readOnly;
+    const bool starred = some && std::ranges::all_of(m_trials, &TrialRecord::starred);
+    const bool archived = some && std::ranges::all_of(m_trials, [](const TrialRecord &trial) {
+                              return trial.archived.has_value();
+                          });
+    m_star->setEnabled(some);
+    m_star->setText(starred ? tr("Take the &star off") : tr("&Star"));
+    m_archive->setEnabled(some && !m_binShown);
+    m_archive->setText(archived ? tr("Out of the &archive") : tr("&Archive"));
+    m_bin->setEnabled(some);
+    m_bin->setText(m_binShown ? tr("&Put back") : tr("&Delete"));
+    m_bin->setToolTip(m_binShown ? tr("Takes the selected trials out of the bin (Del)")
+                                 : tr("Puts the selected trials into the bin (Del); they can be put back"));
+    m_empty->setEnabled(m_binShown && !m_readOnly);
+    m_empty->setVisible(m_binShown);
+}
+
+void MarkActions::change(const QString &words, const QString &wordsOfMany, Mark mark, bool to)
+{
+    if (m_trials.empty())
+        return;
+    const QString told = m_trials.size() == 1
+                             ? words.arg(QString::fromStdString(m_trials.front().name))
+                             : wordsOfMany.arg(QLocale().toString(qulonglong(m_trials.size())));
+    const std::vector<TrialRecord> trials = m_trials; // the signal changes what is selected
+    const Result<void> done = m_project.change(told.toStdString(), [&]() -> Result<void> {
+        for (const TrialRecord &trial : trials)
+            if (auto marked = mark(m_project, trial, to); !marked)
+                return marked;
+        return {};
+    });
+    if (!done) {
+        Q_EMIT failed(done.error());
+        return;
+    }
+    QList<qint64> ids;
+    for (const TrialRecord &trial : trials)
+        ids << trial.id;
+    Q_EMIT marked(ids);
+}
+
+void MarkActions::setStarred(RecordId trial, bool starred)
+{
+    const Result<TrialRecord> record = m_project.trials().get(trial);
+    if (!record) {
+        Q_EMIT failed(record.error());
+        return;
+    }
+    const QString words =
+        (starred ? tr("star %1") : tr("take the star off %1")).arg(QString::fromStdString(record->name));
+    const Result<void> done =
+        m_project.change(words.toStdString(), [&] { return m_project.trials().setStarred(trial, starred); });
+    if (done)
+        Q_EMIT marked({qint64(trial)});
+    else
+        Q_EMIT failed(done.error());
+}
+
+void MarkActions::setTags(RecordId trial, const QStringList &tags)
+{
+    const Result<TrialRecord> record = m_project.trials().get(trial);
+    if (!record) {
+        Q_EMIT failed(record.error());
+        return;
+    }
+    std::vector<std::string> names;
+    for (const QString &tag : tags)
+        names.push_back(tag.toStdString());
+    const QString words = tr("change the tags of %1").arg(QString::fromStdString(record->name));
+    const Result<void> done =
+        m_project.change(words.toStdString(), [&] { return m_project.trials().setTags(trial, names); });
+    if (done)
+        Q_EMIT marked({qint64(trial)});
+    else
+        Q_EMIT failed(done.error());
+}
+
+void MarkActions::askToEmpty()
+{
+    const Result<BinContent> content = binContent(m_project);
+    if (!content || content->trials.empty()) {
+        if (!content)
+            Q_EMIT failed(content.error());
+        return;
+    }
+    QMessageBox question(QMessageBox::Warning, tr("Empty the bin"),
+                         tr("Remove %n trial(s) for good?", "", static_cast<int>(content->trials.size())),
+                         QMessageBox::Cancel, &m_window);
+    question.setInformativeText(
+        tr("Their videos (%1), measurements and results are removed from the disk. This cannot be undone.")
+            .arg(QLocale().formattedDataSize(content->bytes)));
+    QPushButton *remove = question.addButton(tr("&Remove for good"), QMessageBox::DestructiveRole);
+    question.setDefaultButton(QMessageBox::Cancel);
+    question.exec();
+    if (question.clickedButton() != remove)
+        return;
+    Q_EMIT emptyBinRequested(*content);
+}
+
+} // namespace odo

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/workflow/compare/standings.h"
+
+#include <QWidget>
+#include <memory>
+#include <set>
+#include <string>
+
+class QComboBox;
+class QTableView;
+
+namespace odo {
+
+class Card;
+class Project;
+class ProjectReader;
+class StandingsModel;
+class TrendChart;
+
+/// How the teams of a class stand: best, median, repeatability and progress by a figure that is chosen, and
+/// the term of the team that is selected. Reads the project on a thread of its own; the trials it is given.
+class TeamsPanel : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit TeamsPanel(Project &project, QWidget *parent = nullptr);
+    ~TeamsPanel() override;
+    /// Reads the project; trialsWanted follows.
+    void refresh();
+    /// trials: all that are known; they are used until this returns. In answer to trialsWanted.
+    void showTrials(std::span<const TrialRecord *const> trials);
+    /// Nothing is being read.
+    bool isSettled() const;
+
+Q_SIGNALS:
+    /// What was chosen is read, and there are trials to be shown by it.
+    void trialsWanted();
+    void failed(const odo::Error &error);
+
+private:
+    struct Reading;
+    static Result<Reading> readFigures(Project &project, const StandingsChoice &choice);
+    StandingsChoice choice() const;
+    void take(Result<Reading> reading);
+    QComboBox *addChoice(const QString &name);
+    void offer();
+    void showRemark(int leftOut);
+    void showTeam();
+
+    ProjectReader *m_reader;
+    std::unique_ptr<Reading> m_read; ///< null: nothing yet
+    StandingsModel *m_model;
+    Card *m_card;
+    QComboBox *m_class = nullptr, *m_task = nullptr, *m_metric = nullptr;
+    QTableView *m_table;
+    TrendChart *m_chart;
+    bool m_isTaskOffered = false;
+    std::set<std::string> m_archived; ///< classes, whose teams stand nowhere unless theirs is chosen
+};
+
+/// A team's runs through the term: a point each, the line of progress through them, and the band of the
+/// spread about it. What it shows is told in words as its accessible description.
+class TrendChart : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit TrendChart(QWidget *parent = nullptr);
+    /// nullptr: no team. name: the team's, as it is shown.
+    void setTeam(const TeamStanding *team, const QString &name, const QString &progress);
+
+    QSize sizeHint() const override { return {600, 190}; }
+    QSize minimumSizeHint() const override { return {240, 120}; }
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    TeamStanding m_team; ///< of no runs: nothing is shown
+    QString m_name;
+};
+
+} // namespace odo

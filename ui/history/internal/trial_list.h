@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/models/trial_model.h"
+
+#include <QComboBox>
+#include <QSignalBlocker>
+#include <QStringList>
+#include <QTableView>
+#include <QWidget>
+#include <algorithm>
+#include <string>
+
+class QComboBox;
+class QDateEdit;
+class QHBoxLayout;
+class QLayout;
+class QToolButton;
+
+namespace odo {
+
+/// A choice of words that may be long: it is as wide as so many letters, or wider.
+inline QComboBox *makeChoice(const QString &name, int letters)
+{
+    auto *choice = new QComboBox;
+    choice->setAccessibleName(name);
+    choice->setToolTip(name);
+    choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    choice->setMinimumContentsLength(letters);
+    return choice;
+}
+
+/// Puts words (shown as others) behind the first so many entries of a choice; keeps what is chosen where it
+/// is still there, and tells nobody.
+inline void fillChoice(QComboBox &choice, const QStringList &words, const QStringList &shown, int kept = 1)
+{
+    const QString current = choice.currentData().toString();
+    const QSignalBlocker quiet(&choice);
+    while (choice.count() > kept)
+        choice.removeItem(choice.count() - 1);
+    for (int i = 0; i < words.size(); ++i)
+        choice.addItem(shown.at(i), words.at(i));
+    choice.setCurrentIndex(std::max(0, choice.findData(current)));
+}
+
+/// The word that is chosen; empty: that of the first entry.
+inline std::string chosenWord(const QComboBox &choice)
+{
+    return choice.currentData().toString().toStdString();
+}
+
+/// What a trial filter can be, so that it can be chosen from.
+struct FilterOffer
+{
+    QStringList classes, teams, tasks, robots;
+    QStringList classesShown; ///< names, those that are archived with that word
+    QStringList teamsShown;   ///< names or pseudonyms, one for each team
+};
+
+/// The choices above the list of trials: class, team, task, robot, dates, place, star. The text is not its
+/// own.
+class TrialFilterBar : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit TrialFilterBar(QWidget *parent = nullptr);
+    /// Keeps what is chosen where it is still there.
+    void setOffer(const FilterOffer &offer);
+    TrialFilter filter() const; ///< without a text
+    /// A small widget at the right end.
+    void addAtEnd(QWidget *widget);
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    QComboBox *addChoice(QLayout &row, const QString &name, const QString &any);
+    void showDates();
+
+    QComboBox *m_class, *m_team, *m_task, *m_robot, *m_dates, *m_place;
+    QDateEdit *m_from, *m_to;
+    QToolButton *m_starred;
+    QHBoxLayout *m_lower;
+};
+
+class TrialModel;
+
+/// The list of trials in History: rows that are sorted by their headings, chosen one by one or many, and
+/// opened by a double click or Enter. Its columns are fitted to its width, whatever that becomes. GUI thread.
+class TrialTable : public QTableView
+{
+    Q_OBJECT
+public:
+    /// The model must outlive it.
+    explicit TrialTable(TrialModel &model, QWidget *parent = nullptr);
+    /// Empty: none.
+    QString currentTrial() const;
+    QStringList selectedTrials() const; ///< from top to bottom
+    /// Stores what is being written into a cell, which ends with it. A row that goes does so itself.
+    void storeEdited();
+    /// To be called after the rows have changed.
+    void fit();
+
+Q_SIGNALS:
+    void opened(const QString &trial);
+
+protected:
+    void rowsAboutToBeRemoved(const QModelIndex &parent, int first, int last) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+};
+
+} // namespace odo

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window/internal/class_actions.h"
+
+#include "core/exchange/file_name.h"
+#include "core/project/project.h"
+#include "core/workflow/empty_bin.h"
+#include "core/workflow/export_job.h"
+#include "core/workflow/import/teams.h"
+#include "core/workflow/job.h"
+#include "core/workflow/track/reanalysis.h"
+#include "ui/history/changes_dialog.h"
+#include "ui/history/classes_dialog.h"
+#include "ui/main_window/internal/robots_dialog.h"
+#include "ui/main_window/internal/trial_export.h"
+#include "ui/main_window/workspace.h"
+#include "ui/models/core_words.h"
+#include "ui/testbed/tasks/tasks_dialog.h"
+#include "ui/views/widgets/command_keys.h"
+#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/theme.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QMenu>
+#include <QStandardPaths>
+#include <QWidget>
+
+namespace odo {
+
+ClassActions::ClassActions(Workspace &workspace, QWidget &window)
+    : QObject(&window), m_workspace(workspace), m_window(window), m_tasks(new QAction(tr("&Tasks…"), this)),
+      m_classes(new QAction(tr("C&lasses and teams…"), this)), m_robots(new QAction(tr("R&obots…"), this))
+{
+    connect(m_tasks, &QAction::triggered, this, &ClassActions::showTasks);
+    connect(m_classes, &QAction::triggered, this, &ClassActions::showClasses);
+    connect(m_robots, &QAction::triggered, this, &ClassActions::showRobots);
+    connect(&m_workspace, &Workspace::opened, this, &ClassActions::updateActions);
+    nameCommands({{m_tasks, "tasks"}, {m_classes, "classes"}, {m_robots, "robots"}});
+    updateActions();
+}
+
+void ClassActions::fillMenu(QMenu &menu)
+{
+    menu.addActions({m_tasks, m_classes, m_robots});
+}
+
+void ClassActions::updateActions()
+{
+    for (QAction *action : {m_tasks, m_classes, m_robots})
+        action->setEnabled(m_workspace.project() != nullptr);
+}
+
+void ClassActions::showTasks()
+{
+    TasksDialog dialog(*m_workspace.project(), m_workspace.isReadOnly(), &m_window);
+    connect(&dialog, &TasksDialog::changed, this, &ClassActions::changed);
+    QStringList again;
+    connect(&dialog, &TasksDialog::reprocessRequested, this,
+            [&again](const QStringList &trials) { again = trials; });
+    dialog.exec();
+    if (!again.isEmpty())
+        Q_EMIT reprocessRequested(again);
+}
+
+void ClassActions::showClasses()
+{
+    ClassesDialog dialog(*m_workspace.project(), m_workspace.isReadOnly(), &m_window);
+    connect(&dialog, &ClassesDialog::changed, this, &ClassActions::changed);
+    bool roster = false;
+    connect(&dialog, &ClassesDialog::rosterRequested, this, [&roster] { roster = true; });
+    dialog.exec();
+    if (roster)
+        Q_EMIT rosterRequested();
+}
+
+void ClassActions::showRobots()
+{
+    RobotsDialog dialog(*m_workspace.project(), m_workspace.isReadOnly(), &m_window);
+    connect(&dialog, &RobotsDialog::changed, this, &ClassActions::changed);
+    dialog.exec();
+}
+
+HistoryActions::HistoryActions(Workspace &workspace, QWidget &window)
+    : QObject(&window), m_workspace(workspace), m_window(window), m_batch(new TrialBatch(workspace, this)),
+      m_roster(new QAction(themeIcon(QStringLiteral("import")), tr("Import &roster…"), this)),
+      m_changes(new QAction(tr("&Changes of the project…"), this))
+{
+    nameCommands({{m_roster, "importRoster"}, {m_changes, "changes"}});
+    connect(m_roster, &QAction::triggered, this, &HistoryActions::askRoster);
+    connect(m_changes, &QAction::triggered, this, &HistoryActions::showChanges);
+    connect(m_batch, &TrialBatch::ended, this, &HistoryActions::tellEnd);
+    connect(&m_workspace, &Workspace::opened, this, &HistoryActions::updateActions);
+    updateActions();
+}
+
+void HistoryActions::fillMenu(QMenu &menu)
+{
+    menu.addActions({m_roster, m_changes});
+}
+
+bool HistoryActions::isRunning() const
+{
+    return m_batch->isRunning();
+}
+
+void HistoryActions::updateActions()
+{
+    m_changes->setEnabled(m_workspace.project() != nullptr);
+    m_roster->setEnabled(m_workspace.project() != nullptr && !m_workspace.isReadOnly());
+}
+
+void HistoryActions::askRoster()
+{
+    const QString file = QFileDialog::getOpenFileName(
+        &m_window, tr("Import a roster: a table with the columns class and team, perhaps pseudonym"),
+        QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation), tr("CSV tables (*.csv)"));
+    if (file.isEmpty())
+        return;
+    const Result<RosterOutcome> outcome = importRoster(*m_workspace.project(), pathOf(file));
+    if (outcome)
+        Q_EMIT changed(tr("The roster is imported. Teams that are new: %1, changed: %2, as before: %3.")
+                           .arg(outcome->added)
+                           .arg(outcome->changed)
+                           .arg(outcome->unchanged));
+    else
+        Q_EMIT failed(outcome.error());
+}
+
+void HistoryActions::showChanges()
+{
+    Result<std::vector<ChangeEntry>> changes = m_workspace.project()->changes();
+    if (!changes) {
+        Q_EMIT failed(changes.error());
+        return;
+    }
+    ChangesDialog(std::move(*changes), &m_window).exec();
+}
+
+void HistoryActions::exportTrials(const QStringList &trials)
+{
+    const QString folder = QFileDialog::getExistingDirectory(
+        &m_window, tr("Export %n trial(s): choose a folder", "", static_cast<int>(trials.size())),
+        QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+    if (folder.isEmpty())
+        return;
+    m_doneWords = tr("Exported trials: %1 of %2.");
+    const auto make = [path = pathOf(folder)](const std::string &trial) {
+        return std::make_shared<ExportJob>(trial, path, CsvStyle::Analysis);
+    };
+    if (const Result<void> started = m_batch->start(trials, {tr("Exporting %1 (%2 of %3)"), make, {}});
+        !started)
+        Q_EMIT failed(started.error());
+}
+
+void HistoryActions::exportVideos(const QStringList &trials)
+{
+    const QString title = tr("Videos of %n trial(s)", "", static_cast<int>(trials.size()));
+    VideoDialog dialog(title, isDark(m_window.palette()), &m_window);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    const QString folder = QFileDialog::getExistingDirectory(
+        &m_window, title, QStandardPaths::writableLocation(QStandardPaths::MoviesLocation));
+    if (folder.isEmpty())
+        return;
+    m_doneWords = tr("Videos made: %1 of %2.");
+    const auto make = [path = pathOf(folder), settings = dialog.settings()](const std::string &trial) {
+        AnnotatedVideoSettings own = settings;
+        own.target = {path / (fileNameOf(trial) + ".mp4"), Existing::Refuse};
+        return std::make_shared<AnnotatedVideoJob>(trial, own);
+    };
+    if (const Result<void> started =
+            m_batch->start(trials, {tr("Making the video of %1 (%2 of %3)"), make, {}});
+        !started)
+        Q_EMIT failed(started.error());
+}
+
+void HistoryActions::reprocessTrials(const QStringList &trials)
+{
+    m_doneWords = tr("Trials measured again: %1 of %2.");
+    const auto make = [](const std::string &trial) { return std::make_shared<ReprocessJob>(trial); };
+    const auto keep = [](Project &project, Job &job) {
+        return static_cast<ReprocessJob &>(job).keep(project);
+    };
+    if (const Result<void> started =
+            m_batch->start(trials, {tr("Measuring %1 again (%2 of %3)"), make, keep});
+        !started)
+        Q_EMIT failed(started.error());
+}
+
+void HistoryActions::emptyBin(const BinContent &content)
+{
+    const auto job = std::make_shared<EmptyBinJob>(content);
+    const Result<void> started = m_workspace.start(job, tr("Emptying the bin"), [this, job] {
+        QString words =
+            job->removedCount() == job->wantedCount()
+                ? tr("%n trial(s) removed for good.", "", job->removedCount())
+                : tr("%1 of %n trial(s) removed for good; the rest is still there.", "", job->wantedCount())
+                      .arg(job->removedCount());
+        for (const std::string &file : job->left())
+            words +=
+                u' ' + tr("%1 could not be deleted; delete it by hand.").arg(QString::fromStdString(file));
+        Q_EMIT changed(words);
+    });
+    if (!started)
+        Q_EMIT failed(started.error());
+}
+
+void HistoryActions::tellEnd(int done, int all, const QStringList &failures)
+{
+    const QString words = m_doneWords.arg(done).arg(all);
+    if (failures.isEmpty()) {
+        Q_EMIT changed(words);
+        return;
+    }
+    constexpr qsizetype most = 3;
+    QStringList told = failures.mid(0, most);
+    if (failures.size() > most)
+        told << tr("and %1 more").arg(failures.size() - most);
+    Q_EMIT changed({});
+    Q_EMIT failed({ErrorCode::InvalidInput, words.chopped(1).toStdString(),
+                   told.join(QStringLiteral("; ")).toStdString(),
+                   tr("mend what stands there, and choose these trials again").toStdString()});
+}
+
+TrialBatch::TrialBatch(Workspace &workspace, QObject *parent) : QObject(parent), m_workspace(workspace)
+{
+    // Queued: the workspace is free for the next job when the signal of the last one is over.
+    connect(
+        &m_workspace, &Workspace::jobDone, this, [this] { goOn(nullptr); }, Qt::QueuedConnection);
+    connect(
+        &m_workspace, &Workspace::jobFailed, this, [this](const Error &error) { goOn(&error); },
+        Qt::QueuedConnection);
+    connect(&m_workspace, &Workspace::aboutToClose, this, [this] {
+        m_trials.clear();
+        m_job.reset();
+    });
+}
+
+Result<void> TrialBatch::start(const QStringList &trials, Work work)
+{
+    if (m_workspace.isBusy() || isRunning())
+        return fail(ErrorCode::InvalidInput, tr("many trials").toStdString(),
+                    tr("another job is running").toStdString(),
+                    tr("wait until it is done, or cancel it").toStdString());
+    m_work = std::move(work);
+    m_trials = trials;
+    m_next = 0;
+    m_done = 0;
+    m_failures.clear();
+    auto started = startNext();
+    if (!started)
+        m_trials.clear();
+    return started;
+}
+
+Result<void> TrialBatch::startNext()
+{
+    const QString &trial = m_trials.at(m_next++);
+    m_job = m_work.make(trial.toStdString());
+    return m_workspace.start(
+        m_job, m_work.words.arg(trial, QString::number(m_next), QString::number(m_trials.size())), nullptr);
+}
+
+void TrialBatch::goOn(const Error *error)
+{
+    if (!isRunning() || !m_job)
+        return;
+    const bool isCancelled = error && error->code == ErrorCode::Cancelled;
+    if (error && !isCancelled) {
+        m_failures << errorLine(*error);
+    } else if (!error) {
+        const Result<void> kept = m_work.keep ? m_work.keep(*m_workspace.project(), *m_job) : Result<void>();
+        if (kept)
+            ++m_done;
+        else
+            m_failures << errorLine(kept.error());
+    }
+    m_job.reset();
+    if (isCancelled || m_next == m_trials.size())
+        return end();
+    if (const Result<void> started = startNext(); !started) {
+        m_failures << errorLine(started.error());
+        end();
+    }
+}
+
+void TrialBatch::end()
+{
+    const int all = static_cast<int>(m_trials.size());
+    m_trials.clear();
+    Q_EMIT ended(m_done, all, m_failures);
+}
+
+} // namespace odo

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <QObject>
+#include <QStringList>
+#include <functional>
+#include <memory>
+
+class QAction;
+class QMenu;
+class QWidget;
+
+namespace odo {
+
+class Workspace;
+
+/// What a class has, and is set up once a year: its tasks, its teams, its robots. Owns the actions, and opens
+/// their dialogs.
+class ClassActions : public QObject
+{
+    Q_OBJECT
+public:
+    ClassActions(Workspace &workspace, QWidget &window);
+    void fillMenu(QMenu &menu);
+    void showTasks();
+
+Q_SIGNALS:
+    void changed(); ///< the project
+    void rosterRequested();
+    void reprocessRequested(const QStringList &trials);
+
+private:
+    void showClasses();
+    void showRobots();
+    void updateActions();
+
+    Workspace &m_workspace;
+    QWidget &m_window;
+    QAction *m_tasks, *m_classes, *m_robots;
+};
+
+struct BinContent;
+class TrialBatch;
+
+/// What is done with a class and with many trials at once: import a roster, look through the changes, export,
+/// measure again. Owns the actions, asks, and starts the jobs.
+class HistoryActions : public QObject
+{
+    Q_OBJECT
+public:
+    HistoryActions(Workspace &workspace, QWidget &window);
+    void fillMenu(QMenu &menu);
+    /// From a file that is asked for.
+    void askRoster();
+    /// Into a folder that is asked for.
+    void exportTrials(const QStringList &trials);
+    /// Their annotated videos, likewise; it asks how they are to look.
+    void exportVideos(const QStringList &trials);
+    /// With the registrations in force; the older analyses stay.
+    void reprocessTrials(const QStringList &trials);
+    /// Removes trials for good, by a job.
+    void emptyBin(const BinContent &content);
+    /// Many trials are worked on: their pages need not follow each.
+    bool isRunning() const;
+
+Q_SIGNALS:
+    /// The project is another one now.
+    void changed(const QString &words);
+    void failed(const odo::Error &error);
+
+private:
+    void showChanges();
+    void updateActions();
+    void tellEnd(int done, int all, const QStringList &failures);
+
+    Workspace &m_workspace;
+    QWidget &m_window;
+    TrialBatch *m_batch;
+    QString m_doneWords; ///< "Exported trials: %1 of %2."
+    QAction *m_roster, *m_changes;
+};
+
+class Job;
+class Project;
+
+/// The same work on many trials, one after the other, with progress and cancel where every job has them. A
+/// trial that fails is told at the end, and the next one begins; what was done before a cancel stays. GUI
+/// thread.
+class TrialBatch : public QObject
+{
+    Q_OBJECT
+public:
+    /// What is done with one trial.
+    struct Work
+    {
+        QString words; ///< "Exporting %1 (%2 of %3)"
+        std::function<std::shared_ptr<Job>(const std::string &trial)> make;
+        std::function<Result<void>(Project &, Job &)> keep; ///< after each; may be empty
+    };
+
+    TrialBatch(Workspace &workspace, QObject *parent);
+    bool isRunning() const { return !m_trials.isEmpty(); }
+    /// Refused while another job runs.
+    Result<void> start(const QStringList &trials, Work work);
+
+Q_SIGNALS:
+    /// done: of all; failures: a sentence each, empty when all went well.
+    void ended(int done, int all, const QStringList &failures);
+
+private:
+    Result<void> startNext();
+    void end();
+    void goOn(const Error *error);
+
+    Workspace &m_workspace;
+    Work m_work;
+    QStringList m_trials; ///< empty: nothing runs
+    std::shared_ptr<Job> m_job;
+    qsizetype m_next = 0;
+    int m_done = 0;
+    QStringList m_failures;
+};
+
+} // namespace odo

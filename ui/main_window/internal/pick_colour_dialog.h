@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tracking/picked_colour.h"
+#include "ui/models/background_task.h"
+#include "ui/views/picture/frame_fetcher.h"
+
+#include <QDialog>
+#include <QImage>
+#include <QList>
+#include <QRect>
+#include <QWidget>
+#include <filesystem>
+#include <optional>
+
+class QComboBox;
+class QDialogButtonBox;
+class QLabel;
+class QSlider;
+
+namespace odo {
+
+class BoxCanvas;
+
+/// A video in which a robot may be seen.
+struct PickableVideo
+{
+    QString name;
+    std::filesystem::path file;
+    QSize size;
+    qint64 frames = 0;
+};
+
+class Project;
+/// The recordings of the newest trials, each with its view.
+QList<PickableVideo> newestRecordings(Project &project);
+
+/// Takes a robot's colour from a picture: a frame of a recording is chosen, a box drawn round the robot, and
+/// what was found in it shown, or said why nothing was. Decodes and looks on other threads.
+class PickColourDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    explicit PickColourDialog(QList<PickableVideo> videos, QWidget *parent = nullptr);
+    /// What the box holds; set when the dialog was accepted.
+    std::optional<RgbColour> colour() const { return m_colour; }
+
+private:
+    void chooseFile();
+    void addFile(const std::filesystem::path &file);
+    void showVideo(int index);
+    void showFrame();
+    void look();
+    void present(const Result<PickedColour> &picked);
+    void sayNothingYet();
+
+    QList<PickableVideo> m_videos;
+    QComboBox *m_choice;
+    BoxCanvas *m_canvas;
+    QSlider *m_frame;
+    QLabel *m_frameText, *m_swatch, *m_words;
+    QDialogButtonBox *m_buttons;
+    FrameFetcher m_fetcher;
+    BackgroundTask m_looking, m_opening;
+    bool m_lookAgain = false; ///< the box was changed while it was being looked at
+    std::optional<RgbColour> m_colour;
+};
+
+/// A picture on which one box is drawn, with the mouse; or by keys: the arrows move it, with Shift they move
+/// its lower right corner, with Ctrl either by larger steps. The first of them puts a box in the middle.
+class BoxCanvas : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit BoxCanvas(QWidget *parent = nullptr);
+    /// size: of the picture whose pixels count. Another size forgets the box.
+    void setSourceSize(QSize size);
+    QSize sourceSize() const { return m_size; }
+    void setPicture(const QImage &picture);
+    void setEmptyText(const QString &text);
+    /// In pixels of the picture; empty: none yet.
+    QRect box() const { return m_box; }
+    /// Where the picture is shown, in the widget.
+    QRectF pictureRect() const;
+
+    QSize sizeHint() const override { return {800, 450}; }
+    QSize minimumSizeHint() const override { return {320, 180}; }
+
+Q_SIGNALS:
+    void boxChanged(const QRect &box); ///< finished, not while it is drawn
+    void resized();
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+
+private:
+    QPoint toPixel(const QPointF &place) const;
+    QRectF placeOf(const QRect &box) const;
+
+    QImage m_picture;
+    QSize m_size;
+    QRect m_box, m_boxBefore;
+    QPoint m_corner; ///< where the drawing began
+    bool m_drawing = false;
+    QString m_emptyText;
+};
+
+} // namespace odo

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "ui/report/report_dialog.h"
+
+#include <QObject>
+#include <QStringList>
+#include <memory>
+
+class QAction;
+class QWidget;
+
+namespace odo {
+
+class PageOutput;
+class ProjectPages;
+class Workspace;
+struct ChosenOutput;
+
+/// Reports of what the window shows: asks what and how with a preview, and saves or prints it by a job. Owns
+/// the action. GUI thread.
+class ReportActions : public QObject
+{
+    Q_OBJECT
+public:
+    ReportActions(Workspace &workspace, QWidget &window);
+    ~ReportActions() override;
+    QAction *report() const { return m_report; }
+    /// Whose trial, comparison or class a report is of; null: no project is open.
+    void setPages(ProjectPages *pages);
+    /// A report of what is on screen.
+    void ask();
+    /// Of these trials, one after the other.
+    void askTrials(const QStringList &trials);
+
+Q_SIGNALS:
+    /// School, logo and wording are to be changed; the receiver does that before it returns.
+    void letterheadRequested();
+    void failed(const odo::Error &error);
+    void done(const QString &words);
+
+private:
+    void ask(QList<ReportSubject> subjects);
+    QList<ReportSubject> shownSubjects() const;
+    ReportChoices choices() const;
+    void save();
+    void write(const ChosenOutput &output);
+    void print();
+    void start(std::unique_ptr<PageOutput> output, const QString &doneWords);
+
+    Workspace &m_workspace;
+    QWidget &m_window;
+    ProjectPages *m_pages = nullptr;
+    QAction *m_report;
+    /// Kept when it is closed: a preview that is still being painted ends by itself meanwhile.
+    std::unique_ptr<ReportDialog> m_dialog;
+};
+
+} // namespace odo

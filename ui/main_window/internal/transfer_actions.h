@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+
+#include <QObject>
+#include <filesystem>
+#include <vector>
+
+class QAction;
+class QMenu;
+class QWidget;
+
+namespace odo {
+
+class FindStraysJob;
+class Workspace;
+struct ChosenOutput;
+
+/// Taking a project elsewhere: packing it into one file with its videos, unpacking such a file, finding
+/// videos that were lost on the way, and files in its media folder that belong to nothing. Owns the actions
+/// and asks for the files.
+class TransferActions : public QObject
+{
+    Q_OBJECT
+public:
+    static constexpr const char *archiveSuffix = ".zip";
+
+    /// window: parent of the dialogs.
+    TransferActions(Workspace &workspace, QWidget &window);
+
+    void fillMenu(QMenu &menu);
+    /// Asks where, unpacks and opens.
+    void askUnpack(const std::filesystem::path &archive);
+
+Q_SIGNALS:
+    void failed(const odo::Error &error);
+    void done(const QString &words);
+    /// A project was unpacked, and is open.
+    void unpacked(const std::filesystem::path &project);
+
+private:
+    void askPack();
+    void askArchive();
+    void askLostVideos();
+    void findStrays();
+    void askStrays(const FindStraysJob &found);
+    void adopt(const std::vector<std::filesystem::path> &videos);
+    void removeStrays(const std::vector<std::filesystem::path> &files);
+    void pack(const ChosenOutput &archive);
+    void tellFailure(const Result<void> &result);
+
+    Workspace &m_workspace;
+    QWidget &m_window;
+    QAction *m_pack, *m_unpack, *m_relink, *m_strays;
+};
+
+} // namespace odo

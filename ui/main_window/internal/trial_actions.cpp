@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window/internal/trial_actions.h"
+
+#include "core/exchange/file_name.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/workflow/import/import_tracks_job.h"
+#include "core/workflow/import/import_trial_job.h"
+#include "core/workflow/track/track_job.h"
+#include "core/workflow/track/track_warnings.h"
+#include "core/workflow/trial_sources.h"
+#include "ui/main_window/internal/import_tracks_dialog.h"
+#include "ui/main_window/internal/import_trial_dialog.h"
+#include "ui/main_window/internal/robots_dialog.h"
+#include "ui/main_window/internal/trial_export.h"
+#include "ui/main_window/workspace.h"
+#include "ui/models/camera_lists.h"
+#include "ui/models/core_words.h"
+#include "ui/models/figure_text.h"
+#include "ui/models/shown_names.h"
+#include "ui/views/widgets/command_keys.h"
+#include "ui/views/widgets/form_fields.h"
+#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/theme.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFormLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QStandardPaths>
+#include <QVBoxLayout>
+#include <QWidget>
+#include <algorithm>
+
+class QComboBox;
+class QDialogButtonBox;
+
+namespace odo {
+
+class CheckList;
+
+/// Asks which robots to follow in a trial, and how to smooth the curves.
+class TrackDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    /// expected: those that are ticked; none: all are. doubts: whole sentences on what will make the figures
+    /// doubtful.
+    TrackDialog(const QString &trial, const QStringList &robots, const QStringList &expected,
+                const QStringList &doubts, QWidget *parent = nullptr);
+    TrackSettings settings() const;
+
+private:
+    CheckList *m_robots;
+    QComboBox *m_smoother;
+    QDialogButtonBox *m_buttons;
+};
+
+TrackDialog::TrackDialog(const QString &trial, const QStringList &robots, const QStringList &expected,
+                         const QStringList &doubts, QWidget *parent)
+    : QDialog(parent), m_robots(new CheckList(tr("Robots to follow"))), m_smoother(new QComboBox),
+      m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel))
+{
+    setWindowTitle(tr("Track %1").arg(trial));
+    m_robots->setNames(robots, expected.isEmpty());
+    for (int i = 0; i < m_robots->count(); ++i)
+        if (expected.contains(m_robots->item(i)->text()))
+            m_robots->item(i)->setCheckState(Qt::Checked);
+    m_smoother->addItem(tr("Kalman/RTS, noise from the data (best)"), static_cast<int>(Smoother::Rts));
+    m_smoother->addItem(tr("Savitzky–Golay"), static_cast<int>(Smoother::SavGol));
+    m_smoother->addItem(tr("Differences as in Tracker"), static_cast<int>(Smoother::Tracker));
+    m_smoother->addItem(tr("None: raw differences"), static_cast<int>(Smoother::None));
+    auto *form = new QFormLayout;
+    form->addRow(tr("&Robots"), m_robots);
+    form->addRow(tr("&Smoothing"), m_smoother);
+    QPushButton *accept = m_buttons->addButton(tr("Track"), QDialogButtonBox::AcceptRole);
+    auto *layout = new QVBoxLayout(this);
+    layout->addLayout(form);
+    for (const QString &sentence : doubts) {
+        auto *doubt = new QLabel(sentence);
+        doubt->setTextFormat(Qt::PlainText);
+        doubt->setWordWrap(true);
+        layout->addWidget(doubt);
+    }
+    layout->addWidget(m_buttons);
+    accept->setDefault(true); // only now is it in the dialog, whose Enter key it is to have
+    constexpr int width = 440;
+    resize(width, layout->totalHeightForWidth(width));
+    const auto update = [this, accept] { accept->setEnabled(!m_robots->checkedNames().empty()); };
+    connect(m_robots, &QListWidget::itemChanged, this, update);
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    update();
+}
+
+TrackSettings TrackDialog::settings() const
+{
+    return {m_robots->checkedNames(), static_cast<Smoother>(m_smoother->currentData().toInt()), false, {}};
+}
+
+namespace {
+
+template <class Record>
+QStringList namesOf(const Result<std::vector<Record>> &records)
+{
+    QStringList names;
+    if (records)
+        for (const Record &record : *records)
+            names << QString::fromStdString(record.name);
+    return names;
+}
+
+QString freeTrialName(const QStringList &taken)
+{
+    for (int number = static_cast<int>(taken.size()) + 1;; ++number) {
+        QString name = TrialActions::tr("Trial %1").arg(number);
+        if (!taken.contains(name))
+            return name;
+    }
+}
+
+QString trackedWords(const TrackOutcome &outcome)
+{
+    QStringList parts;
+    for (const TrackedRobot &robot : outcome.robots)
+        parts << TrialActions::tr("%1 in %2 of %3 frames, spikes flagged: %4")
+                     .arg(QString::fromStdString(robot.name))
+                     .arg(robot.tracked)
+                     .arg(robot.frames)
+                     .arg(robot.analysis.profile.spikes.size());
+    QStringList sentences{TrialActions::tr("%1 is tracked: %2.")
+                              .arg(QString::fromStdString(outcome.trial), parts.join(QStringLiteral("; ")))};
+    for (const std::string &warning : outcome.warnings)
+        sentences << shownWords(warning);
+    return sentences.join(QLatin1Char(' '));
+}
+
+/// Of either way of importing.
+template <class ImportJob>
+QString importedWords(const ImportJob &job)
+{
+    QStringList sentences{TrialActions::tr("%1 is imported.").arg(QString::fromStdString(job.trial().name))};
+    for (const std::string &warning : job.warnings())
+        sentences << shownWords(warning);
+    return sentences.join(QLatin1Char(' '));
+}
+
+struct OfferedTeams
+{
+    QStringList names, shown;
+    QList<QStringList> robots; ///< that belong to each
+};
+OfferedTeams teamsOf(Project &project)
+{
+    const auto teams = project.teams().all();
+    const auto robots = project.robots().all();
+    OfferedTeams offered{namesOf(teams), {}, {}};
+    for (const TeamRecord &team : teams.value_or(std::vector<TeamRecord>())) {
+        offered.shown << shownTeam(team);
+        offered.robots << QStringList();
+        for (const RobotRecord &robot : robots.value_or(std::vector<RobotRecord>()))
+            if (std::ranges::find(team.robots, robot.id) != team.robots.end())
+                offered.robots.back() << QString::fromStdString(robot.name);
+    }
+    return offered;
+}
+
+} // namespace
+
+TrialActions::TrialActions(Workspace &workspace, QWidget &window)
+    : QObject(&window), m_workspace(workspace), m_window(window),
+      m_import(new QAction(themeIcon(QStringLiteral("import")), tr("&Import trial from videos…"), this)),
+      m_importTracks(new QAction(themeIcon(QStringLiteral("import")), tr("Import finished tra&cks…"), this)),
+      m_track(new QAction(themeIcon(QStringLiteral("track")), tr("&Track…"), this)),
+      m_export(new QAction(themeIcon(QStringLiteral("export")), tr("&Export…"), this)),
+      m_video(new QAction(tr("Export &video…"), this)),
+      m_addRobot(new QAction(themeIcon(QStringLiteral("add")), tr("Add &robot…"), this))
+{
+    nameCommands({{m_import, "import"},
+                  {m_importTracks, "importTracks"},
+                  {m_track, "track"},
+                  {m_export, "export"},
+                  {m_video, "exportVideo"},
+                  {m_addRobot, "addRobot"}});
+    m_import->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_I));
+    m_track->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_T));
+    connect(m_import, &QAction::triggered, this, [this] { askImport(); });
+    m_importTracks->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I));
+    connect(m_importTracks, &QAction::triggered, this, [this] { askImportTracks(); });
+    connect(m_track, &QAction::triggered, this, [this] { askTrack(m_trial); });
+    m_export->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_E));
+    connect(m_export, &QAction::triggered, this, &TrialActions::askExport);
+    connect(m_video, &QAction::triggered, this, &TrialActions::askVideo);
+    connect(m_addRobot, &QAction::triggered, this, &TrialActions::askRobot);
+    connect(&m_workspace, &Workspace::opened, this, &TrialActions::updateActions);
+    connect(&m_workspace, &Workspace::jobStarted, this, &TrialActions::updateActions);
+    connect(&m_workspace, &Workspace::jobDone, this, &TrialActions::updateActions);
+    connect(&m_workspace, &Workspace::jobFailed, this, &TrialActions::updateActions);
+    updateActions();
+}
+
+void TrialActions::fillMenu(QMenu &menu)
+{
+    menu.addActions({m_import, m_importTracks, m_addRobot, m_track, m_export, m_video});
+}
+
+void TrialActions::setCurrentTrial(const QString &name)
+{
+    m_trial = name;
+    updateActions();
+}
+
+void TrialActions::updateActions()
+{
+    const bool writable = m_workspace.project() != nullptr && !m_workspace.isReadOnly();
+    m_addRobot->setEnabled(writable);
+    m_import->setEnabled(writable && !m_workspace.isBusy());
+    m_importTracks->setEnabled(m_import->isEnabled());
+    m_export->setEnabled(!m_trial.isEmpty());
+    m_video->setEnabled(!m_trial.isEmpty() && !m_workspace.isBusy());
+    m_track->setEnabled(writable && !m_workspace.isBusy() && !m_trial.isEmpty());
+}
+
+void TrialActions::tellFailure(const Result<void> &result)
+{
+    if (!result)
+        Q_EMIT failed(result.error());
+}
+
+template <class ImportJob>
+void TrialActions::startImport(const std::shared_ptr<ImportJob> &job, const std::string &trial)
+{
+    // A plain tr() would lupdate look for in a class ImportJob.
+    const QString words = TrialActions::tr("Importing %1").arg(QString::fromStdString(trial));
+    tellFailure(m_workspace.start(job, words, [this, job] {
+        Q_EMIT trialImported(QString::fromStdString(job->trial().name));
+        Q_EMIT done(importedWords(*job));
+    }));
+}
+
+void TrialActions::askImport(const QStringList &videos)
+{
+    Project &project = *m_workspace.project();
+    const QStringList trials = namesOf(project.trials().names());
+    std::vector<ImportTrialDialog::OfferedCamera> cameras;
+    for (const CameraRow &row : loadCameraRows(project).value_or(std::vector<CameraRow>()))
+        cameras.push_back({QString::fromStdString(row.camera.name), cameraBadge(row.registration)});
+    const OfferedTeams teams = teamsOf(project);
+    ImportTrialDialog dialog({freeTrialName(trials), teams.names, namesOf(project.robots().all()),
+                              std::move(cameras), teams.shown, teams.robots,
+                              namesOf(project.tasks().current())},
+                             &m_window);
+    for (const QString &video : videos)
+        dialog.addVideo({}, video);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    startImport(std::make_shared<ImportTrialJob>(dialog.settings()), dialog.settings().trial);
+}
+
+void TrialActions::askImportTracks(const QStringList &files)
+{
+    Project &project = *m_workspace.project();
+    const OfferedTeams teams = teamsOf(project);
+    ImportTracksDialog dialog({freeTrialName(namesOf(project.trials().names())), teams.names,
+                               namesOf(project.robots().all()), namesOf(project.tasks().current()),
+                               teams.shown},
+                              &m_window);
+    for (const QString &file : files)
+        dialog.addTrack(file);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    startImport(std::make_shared<ImportTracksJob>(dialog.settings()), dialog.settings().trial);
+}
+
+void TrialActions::askTrack(const QString &trial)
+{
+    Project &project = *m_workspace.project();
+    QStringList robots = namesOf(project.robots().all());
+    if (robots.isEmpty()) { // there is nothing to look for: ask for the first one on the way
+        if (!askRobot())
+            return;
+        robots = namesOf(project.robots().all());
+    }
+    const Result<TrialRecord> record = project.trials().find(trial.toStdString());
+    if (!record) {
+        Q_EMIT failed(record.error());
+        return;
+    }
+    QStringList expected;
+    for (const std::string &name : record->robotNames)
+        expected << QString::fromStdString(name);
+    QStringList doubts;
+    if (const auto views = registeredViews(project, *record)) { // what else is wrong, tracking will say
+        for (const std::string &sentence : stepWarnings(record->name, *views))
+            doubts << shownWords(sentence) + u'.';
+        for (QString &sentence : doubts)
+            sentence.front() = sentence.front().toUpper();
+    }
+    TrackDialog dialog(trial, robots, expected, doubts, &m_window);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    TrackSettings settings = dialog.settings();
+    const auto imported = importedTracksOf(project, *record);
+    settings.again = imported && !imported->empty(); // there is no video to track in
+    startTracking(trial, std::move(settings));
+}
+
+void TrialActions::startTracking(const QString &trial, TrackSettings settings)
+{
+    const auto job = std::make_shared<TrackJob>(trial.toStdString(), std::move(settings));
+    tellFailure(m_workspace.start(job, tr("Tracking %1").arg(trial), [this, job] {
+        Q_EMIT trialTracked(QString::fromStdString(job->outcome().trial));
+        Q_EMIT done(trackedWords(job->outcome()));
+    }));
+}
+
+void TrialActions::pointOut(const QString &trial, const RobotPointer &pointer)
+{
+    if (!mayChange(tr("the trial")))
+        return;
+    TrackSettings settings;
+    settings.pointers = {pointer};
+    startTracking(trial, std::move(settings));
+}
+
+bool TrialActions::mayChange(const QString &what)
+{
+    if (m_workspace.isReadOnly())
+        Q_EMIT failed(fail(ErrorCode::InvalidInput, what.toStdString(),
+                           tr("this project can only be read").toStdString(),
+                           tr("save a copy and work on that").toStdString())
+                          .value());
+    return !m_workspace.isReadOnly();
+}
+
+void TrialActions::overrule(const OverruleRequest &word)
+{
+    if (!mayChange(tr("the sample")))
+        return;
+    const auto job = std::make_shared<OverruleJob>(word);
+    const QString trial = QString::fromStdString(word.trial);
+    tellFailure(m_workspace.start(job, tr("Measuring %1 again").arg(trial), [this, job, trial] {
+        const QString time = secondsText(job->outcome().time);
+        Q_EMIT done(isRejected(job->outcome().flags)
+                        ? tr("The sample at %1 of %2 is not used. Undo takes it back.").arg(time, trial)
+                        : tr("The sample at %1 of %2 is used. Undo takes it back.").arg(time, trial));
+    }));
+}
+
+void TrialActions::askExport()
+{
+    const Result<QString> exported = exportTrial(*m_workspace.project(), m_trial, m_window);
+    if (!exported)
+        Q_EMIT failed(exported.error());
+    else if (!exported->isEmpty())
+        Q_EMIT done(*exported);
+}
+
+void TrialActions::askVideo()
+{
+    VideoDialog dialog(tr("Video of %1").arg(m_trial), isDark(m_window.palette()), &m_window);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    const QDir folder(QStandardPaths::writableLocation(QStandardPaths::MoviesLocation));
+    const QString offered = QString::fromStdString(fileNameOf(m_trial.toStdString()) + ".mp4");
+    const auto chosen = askOutput(&m_window, tr("Video of %1").arg(m_trial), folder.filePath(offered),
+                                  {{tr("MP4 videos (*.mp4)"), QStringLiteral("mp4"), FileKind::Mp4, true}});
+    if (!chosen)
+        return;
+    AnnotatedVideoSettings settings = dialog.settings();
+    settings.target = chosen->target;
+    const auto job = std::make_shared<AnnotatedVideoJob>(m_trial.toStdString(), settings);
+    tellFailure(m_workspace.start(
+        job, tr("Making the video of %1").arg(m_trial), [this, file = chosen->file, trial = m_trial] {
+            Q_EMIT done(tr("The video of %1 is there: %2").arg(trial, QDir::toNativeSeparators(file)));
+        }));
+}
+
+bool TrialActions::askRobot()
+{
+    RobotDialog dialog(newestRecordings(*m_workspace.project()), &m_window);
+    if (dialog.exec() != QDialog::Accepted)
+        return false;
+    Project &project = *m_workspace.project();
+    const QString name = QString::fromStdString(dialog.robot().name);
+    const auto added = changing(project, tr("add robot %1").arg(name).toStdString(),
+                                [&] { return project.robots().add(dialog.robot()); });
+    if (!added) {
+        Q_EMIT failed(added.error());
+        return false;
+    }
+    Q_EMIT done(tr("Robot %1 is known now.").arg(name));
+    return true;
+}
+
+} // namespace odo
+
+#include "trial_actions.moc"

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/error.h"
+#include "core/workflow/track/reanalysis.h"
+#include "core/workflow/track/track_job.h"
+
+#include <QObject>
+#include <QStringList>
+#include <memory>
+
+class QAction;
+class QMenu;
+class QWidget;
+
+namespace odo {
+
+class Workspace;
+
+/// What can be done with trials: import, track, export, and add the robots they need. Owns the actions, asks,
+/// and starts the jobs.
+class TrialActions : public QObject
+{
+    Q_OBJECT
+public:
+    TrialActions(Workspace &workspace, QWidget &window);
+    void fillMenu(QMenu &menu);
+    /// The trial that Track, Export and Export video mean; empty: none.
+    void setCurrentTrial(const QString &name);
+    void askImport(const QStringList &videos = {});
+    /// Of tracks that another program measured.
+    void askImportTracks(const QStringList &files = {});
+    void askTrack(const QString &trial);
+    /// Stores a person's word on a sample and analyses the trial again.
+    void overrule(const OverruleRequest &word);
+    /// Stores where a person says that a robot is, and tracks the trial again.
+    void pointOut(const QString &trial, const RobotPointer &pointer);
+
+Q_SIGNALS:
+    void failed(const odo::Error &error);
+    void done(const QString &words);
+    void trialImported(const QString &name);
+    void trialTracked(const QString &name);
+
+private:
+    void askExport();
+    void askVideo();
+    bool askRobot();
+    void updateActions();
+    void tellFailure(const Result<void> &result);
+    bool mayChange(const QString &what);
+    void startTracking(const QString &trial, TrackSettings settings);
+    /// Of either way of importing.
+    template <class ImportJob>
+    void startImport(const std::shared_ptr<ImportJob> &job, const std::string &trial);
+
+    Workspace &m_workspace;
+    QWidget &m_window;
+    QString m_trial;
+    QAction *m_import, *m_importTracks, *m_track, *m_export, *m_video, *m_addRobot;
+};
+
+} // namespace odo

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window/internal/window_bars.h"
+
+#include "core/project/names.h"
+#include "core/project/project.h"
+#include "ui/main_window/workspace.h"
+#include "ui/models/core_words.h"
+#include "ui/models/figure_text.h"
+#include "ui/models/shown_names.h"
+#include "ui/views/widgets/command_keys.h"
+#include "ui/views/widgets/labels.h"
+#include "ui/views/widgets/theme.h"
+
+#include <QAccessible>
+#include <QAction>
+#include <QActionGroup>
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QStringList>
+#include <QStyle>
+#include <QTimer>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <chrono>
+#include <utility>
+
+namespace odo {
+
+namespace {
+constexpr int barWidth = 84;
+constexpr int iconSide = 24;
+const QColor iconColour(0xdc, 0xe3, 0xe9);
+} // namespace
+
+ModeBar::ModeBar(QWidget *parent)
+    : QFrame(parent), m_group(new QActionGroup(this)), m_layout(new QVBoxLayout(this))
+{
+    setObjectName(QStringLiteral("modeBar"));
+    setAccessibleName(tr("Modes"));
+    m_layout->setContentsMargins(0, 8, 0, 8);
+    m_layout->setSpacing(0);
+    m_layout->addStretch(1);
+    connect(m_group, &QActionGroup::triggered, this,
+            [this](QAction *action) { Q_EMIT chosen(action->data().toInt()); });
+}
+
+void ModeBar::addMode(const QString &icon, const QString &name)
+{
+    const int mode = static_cast<int>(m_group->actions().size());
+    auto *action = new QAction(themeIcon(icon, iconColour), name, m_group);
+    nameCommands({{action, icon.toLatin1().constData()}});
+    action->setCheckable(true);
+    action->setIconVisibleInMenu(false); // it is drawn for the dark bar
+    action->setData(mode);
+    action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + mode)));
+    action->setToolTip(
+        QStringLiteral("%1 (%2)").arg(name, action->shortcut().toString(QKeySequence::NativeText)));
+    auto *button = new QToolButton(this);
+    button->setDefaultAction(action);
+    button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+    button->setIconSize({iconSide, iconSide});
+    button->setFixedWidth(barWidth);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setAccessibleName(name);
+    m_layout->insertWidget(mode, button);
+}
+
+void ModeBar::setCurrent(int mode)
+{
+    const QList<QAction *> modes = m_group->actions();
+    if (mode >= 0 && mode < modes.size())
+        modes.at(mode)->setChecked(true);
+}
+
+void ModeBar::setModesEnabled(bool enabled)
+{
+    m_group->setEnabled(enabled);
+}
+
+QList<QAction *> ModeBar::modeActions() const
+{
+    return m_group->actions();
+}
+
+namespace {
+
+constexpr int messageIconSide = 20, buttonMargin = 14;
+constexpr std::chrono::seconds doneStays{8};
+
+} // namespace
+
+MessageBar::MessageBar(QWidget *parent)
+    : QFrame(parent), m_icon(new QLabel(this)), m_text(new QLabel(this)), m_button(new QPushButton(this)),
+      m_timer(new QTimer(this))
+{
+    setObjectName(QStringLiteral("messageBar"));
+    showAsWords(*m_text);
+    auto *close = new QToolButton(this);
+    close->setProperty("flat", true);
+    close->setIcon(themeIcon(QStringLiteral("close")));
+    close->setAccessibleName(tr("Close the message"));
+    close->setToolTip(tr("Close"));
+    close->setFocusPolicy(Qt::TabFocus);
+    m_button->setAutoDefault(true);        // Enter presses it, too
+    m_button->setFocusPolicy(Qt::NoFocus); // until it has words
+    connect(m_button, &QPushButton::clicked, this, [this] {
+        const auto act = std::exchange(m_act, nullptr);
+        m_button->hide();
+        if (act)
+            act();
+    });
+    connect(close, &QToolButton::clicked, this, &QWidget::hide);
+    m_timer->setSingleShot(true);
+    connect(m_timer, &QTimer::timeout, this, &QWidget::hide);
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(14, 6, 8, 6);
+    layout->setSpacing(10);
+    layout->addWidget(m_icon, 0, Qt::AlignTop);
+    layout->addWidget(m_text, 1);
+    layout->addWidget(m_button, 0, Qt::AlignTop);
+    layout->addWidget(close, 0, Qt::AlignTop);
+    hide();
+}
+
+void MessageBar::showError(const Error &error)
+{
+    if (error.code == ErrorCode::Cancelled)
+        return showDone(tr("Cancelled. Nothing was changed."));
+    m_timer->stop();
+    present("bad", QStringLiteral("warning"), errorInWords(error));
+}
+
+void MessageBar::showWarning(const QString &text)
+{
+    m_timer->stop();
+    present("bad", QStringLiteral("warning"), text);
+}
+
+void MessageBar::showDone(const QString &text)
+{
+    present("good", QStringLiteral("information"), text);
+    m_timer->start(doneStays);
+}
+
+void MessageBar::offer(const QString &words, std::function<void()> act)
+{
+    m_act = std::move(act);
+    m_button->setText(words);
+    m_button->setFocusPolicy(Qt::StrongFocus);
+    m_button->setMinimumWidth(m_button->fontMetrics().horizontalAdvance(words) + 2 * buttonMargin);
+    m_button->show();
+}
+
+QString MessageBar::text() const
+{
+    return isHidden() ? QString() : m_text->text();
+}
+
+void MessageBar::present(const char *kind, const QString &icon, const QString &text)
+{
+    setProperty("kind", QString::fromLatin1(kind));
+    for (QWidget *widget : std::initializer_list<QWidget *>{this, m_text}) {
+        widget->style()->unpolish(widget);
+        widget->style()->polish(widget);
+    }
+    m_icon->setPixmap(themeIcon(icon, m_text->palette().color(QPalette::WindowText)).pixmap(messageIconSide));
+    m_text->setText(text);
+    m_act = nullptr;
+    m_button->hide();
+    show();
+    QAccessibleEvent announcement(m_text, QAccessible::Alert);
+    QAccessible::updateAccessibility(&announcement);
+}
+
+namespace {
+
+QString analysisWords(const TrialScenePtr &trial)
+{
+    if (!trial)
+        return StatusLine::tr("No trial");
+    QString words = StatusLine::tr("Not tracked yet");
+    for (const SceneRobot &robot : trial->robots)
+        if (robot.analysis)
+            words = StatusLine::tr("Analysis %1, Odograph %2")
+                        .arg(robot.analysis->id)
+                        .arg(QString::fromStdString(robot.analysis->softwareVersion));
+    return words;
+}
+
+} // namespace
+
+StatusLine::StatusLine(QWidget *parent)
+    : QStatusBar(parent), m_saved(new QLabel), m_analysis(new QLabel), m_units(new QLabel),
+      m_job(new JobIndicator)
+{
+    m_units->setToolTip(tr("Units of lengths, speeds and times; to be chosen in the preferences"));
+    for (QLabel *label : {m_saved, m_analysis, m_units}) {
+        label->setTextFormat(Qt::PlainText);
+        label->setContentsMargins(8, 2, 8, 2);
+    }
+    setSizeGripEnabled(false);
+    setFixedHeight(m_job->sizeHint().height() + 6); // it must not jump when a job begins
+    addWidget(m_saved);
+    addWidget(m_analysis);
+    addPermanentWidget(m_job);
+    addPermanentWidget(m_units);
+    showUnits();
+}
+
+void StatusLine::showState(const Workspace &workspace, const TrialScenePtr &trial)
+{
+    if (!workspace.project()) {
+        m_saved->setText(tr("No project is open"));
+        m_analysis->clear();
+        return;
+    }
+    m_saved->setText(workspace.isReadOnly() ? tr("Read only: nothing can be changed")
+                     : workspace.isSaved()  ? tr("All changes saved")
+                                            : tr("Saving…"));
+    m_analysis->setText(analysisWords(trial));
+}
+
+void StatusLine::showUnits()
+{
+    const ShownUnits &units = shownUnits();
+    m_units->setText(QStringLiteral("%1 · %2 · s").arg(units.length.name, units.speed.name));
+}
+
+namespace {
+constexpr int steps = 1000;
+constexpr int progressWidth = 180;
+constexpr int textWidth = 320;
+} // namespace
+
+JobIndicator::JobIndicator(QWidget *parent)
+    : QWidget(parent), m_text(new ElidedLabel(this)), m_bar(new QProgressBar(this)),
+      m_cancel(new QPushButton(tr("Cancel"), this))
+{
+    m_text->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_text->setFixedWidth(textWidth);
+    m_bar->setRange(0, steps);
+    m_bar->setFixedWidth(progressWidth);
+    m_bar->setTextVisible(false);
+    m_bar->setAccessibleName(tr("Progress"));
+    m_cancel->setAccessibleName(tr("Cancel the running job"));
+    connect(m_cancel, &QPushButton::clicked, this, [this] {
+        m_cancel->setEnabled(false);
+        m_text->setFullText(tr("Stopping…"));
+        Q_EMIT cancelRequested();
+    });
+    auto *layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 1, 6, 1);
+    layout->addWidget(m_text);
+    layout->addWidget(m_bar);
+    layout->addWidget(m_cancel);
+    hide();
+}
+
+void JobIndicator::begin(const QString &text)
+{
+    m_cancel->setEnabled(true);
+    m_bar->setValue(0);
+    m_text->setFullText(text);
+    show();
+}
+
+void JobIndicator::setProgress(double fraction, const QString &text)
+{
+    m_bar->setValue(static_cast<int>(fraction * steps));
+    if (m_cancel->isEnabled()) // once stopping was asked for, that is what there is to say
+        m_text->setFullText(text);
+}
+
+void JobIndicator::end()
+{
+    hide();
+}
+
+QString JobIndicator::text() const
+{
+    return m_text->fullText();
+}
+
+namespace {
+
+class WindowTitleWords
+{
+    Q_DECLARE_TR_FUNCTIONS(WindowTitle)
+};
+
+} // namespace
+
+QString windowTitleOf(const Project *project, const TrialScenePtr &trial)
+{
+    QStringList parts;
+    if (project)
+        parts << QString::fromStdString(project->title().value_or(titleFromName(project->file())));
+    if (trial) {
+        QStringList words(QString::fromStdString(trial->trial.name));
+        if (!trial->trial.teamName.empty())
+            words << WindowTitleWords::tr("Team %1").arg(shownTeam(trial->trial));
+        parts << words.join(QStringLiteral(", "));
+    }
+    parts << WindowTitleWords::tr("Odograph");
+    // An asterisk in brackets would be taken as the place of the "changed" mark.
+    return parts.join(QStringLiteral(" — ")).replace(QLatin1String("[*]"), QLatin1String("[ *]"));
+}
+
+} // namespace odo

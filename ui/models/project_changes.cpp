@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/models/project_changes.h"
+
+#include "core/project/project.h"
+#include "ui/models/core_words.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
+
+namespace odo {
+
+namespace {
+
+QString kindWord(ChangeEntry::Kind kind)
+{
+    switch (kind) {
+    case ChangeEntry::Kind::Made:
+        return ChangeModel::tr("made");
+    case ChangeEntry::Kind::Undone:
+        return ChangeModel::tr("undone");
+    case ChangeEntry::Kind::Redone:
+        return ChangeModel::tr("made again");
+    }
+    return {};
+}
+
+} // namespace
+
+ChangeModel::ChangeModel(std::vector<ChangeEntry> changes, QObject *parent)
+    : RowTableModel(ColumnCount, parent), m_changes(std::move(changes))
+{
+    setText({});
+}
+
+void ChangeModel::setText(const QString &text)
+{
+    beginResetModel();
+    m_shown.clear();
+    for (std::size_t i = 0; i < m_changes.size(); ++i)
+        if (shownWords(m_changes[i].words).contains(text, Qt::CaseInsensitive))
+            m_shown.push_back(i);
+    endResetModel();
+}
+
+QVariant ChangeModel::cell(int index, int column, int role) const
+{
+    if (role != Qt::DisplayRole)
+        return {};
+    const ChangeEntry &change = m_changes[m_shown[static_cast<std::size_t>(index)]];
+    switch (column) {
+    case DateColumn:
+        return QLocale().toString(QDateTime::fromMSecsSinceEpoch(change.made.time_since_epoch().count()),
+                                  QLocale::ShortFormat);
+    case KindColumn:
+        return kindWord(change.kind);
+    default:
+        return shownWords(change.words);
+    }
+}
+
+QVariant ChangeModel::heading(int column, int role) const
+{
+    if (role != Qt::DisplayRole)
+        return {};
+    switch (column) {
+    case DateColumn:
+        return tr("When");
+    case KindColumn:
+        return tr("How");
+    default:
+        return tr("What");
+    }
+}
+
+namespace {
+
+class OwnChangesWords
+{
+    Q_DECLARE_TR_FUNCTIONS(OwnChanges)
+};
+
+/// Of all changes that were ever told.
+std::size_t countOf(const Project &project)
+{
+    const auto changes = project.changes();
+    return changes ? changes->size() : 0;
+}
+
+tl::unexpected<Error> nothing(const QString &what)
+{
+    return fail(
+        ErrorCode::NotFound, what.toStdString(),
+        OwnChangesWords::tr("nothing was changed here").toStdString(),
+        OwnChangesWords::tr("what was changed before is taken back in the window's menu Edit").toStdString());
+}
+
+} // namespace
+
+Result<QString> OwnChanges::make(const QString &words, const std::function<Result<void>()> &work)
+{
+    const std::size_t before = countOf(m_project);
+    if (const auto done = m_project.change(words.toStdString(), work); !done)
+        return tl::unexpected(done.error());
+    if (countOf(m_project) == before)
+        return QString(); // nothing is another now
+    ++m_made;
+    m_takenBack = 0;
+    return OwnChangesWords::tr("Done: %1. Ctrl+Z takes it back.").arg(words);
+}
+
+Result<QString> OwnChanges::undo()
+{
+    if (m_made == 0)
+        return nothing(OwnChangesWords::tr("undo"));
+    const auto words = m_project.undo();
+    if (!words)
+        return tl::unexpected(words.error());
+    --m_made;
+    ++m_takenBack;
+    return OwnChangesWords::tr("Undone: %1.").arg(shownWords(*words));
+}
+
+Result<QString> OwnChanges::redo()
+{
+    if (m_takenBack == 0)
+        return nothing(OwnChangesWords::tr("redo"));
+    const auto words = m_project.redo();
+    if (!words)
+        return tl::unexpected(words.error());
+    ++m_made;
+    --m_takenBack;
+    return OwnChangesWords::tr("Made again: %1.").arg(shownWords(*words));
+}
+
+} // namespace odo

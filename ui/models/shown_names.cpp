@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/models/shown_names.h"
+
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+
+#include <QSettings>
+#include <QStringList>
+#include <algorithm>
+#include <atomic>
+
+namespace odo {
+
+NameListModel::NameListModel(QStringList names, QStringList words, QObject *parent)
+    : QAbstractListModel(parent), m_names(std::move(names)), m_words(std::move(words))
+{
+    Q_ASSERT(m_names.size() == m_words.size());
+}
+
+int NameListModel::rowCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_names.size());
+}
+
+QVariant NameListModel::data(const QModelIndex &index, int role) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+        return {};
+    if (role == Qt::DisplayRole)
+        return m_words.at(index.row());
+    return role == NameRole ? QVariant(m_names.at(index.row())) : QVariant();
+}
+
+namespace {
+
+QString choiceWords(const TrialRecord &trial, const std::string &robot)
+{
+    QStringList words{QString::fromStdString(trial.name)};
+    for (const QString &word :
+         {QString::fromStdString(robot), shownTeam(trial), QString::fromStdString(trial.task)})
+        if (!word.isEmpty())
+            words << word;
+    return words.join(QStringLiteral(" · "));
+}
+
+bool isSame(const CompareSettings::Run &a, const CompareSettings::Run &b)
+{
+    return a.trial == b.trial && (a.robot == b.robot || a.robot.empty() || b.robot.empty());
+}
+
+} // namespace
+
+QList<RunChoice> runChoices(std::span<const TrialRecord> trials)
+{
+    QList<RunChoice> choices;
+    for (auto each = trials.rbegin(); each != trials.rend(); ++each) {
+        const TrialRecord &trial = *each;
+        if (trial.binned)
+            continue;
+        if (trial.robotNames.size() < 2)
+            choices.append({{trial.name, {}}, choiceWords(trial, {})});
+        else
+            for (const std::string &robot : trial.robotNames)
+                choices.append({{trial.name, robot}, choiceWords(trial, robot)});
+    }
+    return choices;
+}
+
+QList<int> placesOf(const QList<RunChoice> &choices, std::span<const CompareSettings::Run> runs)
+{
+    QList<int> places;
+    for (const CompareSettings::Run &run : runs)
+        for (int i = 0; i < choices.size(); ++i)
+            if (isSame(choices[i].run, run) && !places.contains(i)) {
+                places << i;
+                break;
+            }
+    return places;
+}
+
+Result<std::optional<std::string>> partnerOf(Project &project, std::span<const TrialRecord> trials,
+                                             const std::string &name)
+{
+    constexpr int mostAsked = 40; // a year's trials need not be gone through for a suggestion
+    const auto self = std::ranges::find(trials, name, &TrialRecord::name);
+    if (self == trials.end())
+        return std::nullopt;
+    for (const bool sameTask : {true, false}) {
+        int asked = 0;
+        for (const TrialRecord &trial : trials) {
+            if (trial.binned || trial.id == self->id || (trial.task == self->task) != sameTask)
+                continue;
+            if (++asked > mostAsked)
+                break;
+            const auto analyses = project.analyses().currentMetrics(trial.id);
+            if (!analyses)
+                return tl::unexpected(analyses.error());
+            if (!analyses->empty())
+                return trial.name;
+        }
+    }
+    return std::nullopt;
+}
+
+namespace {
+
+const QString pseudonymsKey = QStringLiteral("history/pseudonyms");
+
+/// 1: they are, 0: they are not, −1: not asked for yet. Lists of thousands ask for each row: the settings are
+/// read once.
+std::atomic<int> known = -1;
+
+QString veiled(QString sentence, const std::vector<TeamRecord> &teams)
+{
+    const auto quoted = [](const std::string &name) {
+        return QStringLiteral("'%1'").arg(QString::fromStdString(name));
+    };
+    for (const TeamRecord &team : teams) {
+        if (team.pseudonym.empty())
+            continue;
+        sentence.replace(quoted(team.name), quoted(team.pseudonym));
+        for (const std::string &member : team.members)
+            sentence.replace(quoted(member), QStringLiteral("'…'"));
+    }
+    return sentence;
+}
+
+} // namespace
+
+bool arePseudonymsShown()
+{
+    if (known < 0)
+        known = QSettings().value(pseudonymsKey).toBool() ? 1 : 0;
+    return known == 1;
+}
+
+void showPseudonyms(bool shown)
+{
+    known = shown ? 1 : 0;
+    QSettings().setValue(pseudonymsKey, shown);
+}
+
+QString shownTeam(const std::string &name, const std::string &pseudonym)
+{
+    return QString::fromStdString(arePseudonymsShown() && !pseudonym.empty() ? pseudonym : name);
+}
+
+QString shownTeam(const TrialRecord &trial)
+{
+    return shownTeam(trial.teamName, trial.teamPseudonym);
+}
+
+QString shownTeam(const TeamRecord &team)
+{
+    return shownTeam(team.name, team.pseudonym);
+}
+
+Error shownError(Error error, const std::vector<TeamRecord> &teams)
+{
+    if (!arePseudonymsShown())
+        return error;
+    for (std::string *part : {&error.what, &error.why, &error.advice})
+        *part = veiled(QString::fromStdString(*part), teams).toStdString();
+    return error;
+}
+
+} // namespace odo

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/record/internal/camera_choice.h"
+
+#include "core/capture/camera_source.h"
+#include "ui/models/camera_lists.h"
+#include "ui/models/core_words.h"
+#include "ui/views/widgets/command_keys.h"
+#include "ui/views/widgets/form_fields.h"
+#include "ui/views/widgets/labels.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QSet>
+#include <QSettings>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <set>
+
+namespace odo {
+
+namespace {
+
+const QString group = QStringLiteral("record/cameras");
+const std::string simulated = "sim:";
+
+} // namespace
+
+std::vector<ChosenCamera> proposeCameras(const std::vector<CameraRecord> &cameras,
+                                         const std::vector<CameraDescription> &connected,
+                                         const std::map<std::string, std::string> &before)
+{
+    std::vector<ChosenCamera> chosen;
+    for (const CameraRecord &camera : cameras)
+        chosen.emplace_back(camera.name, "");
+    if (chosen.empty()) {
+        for (std::size_t i = 0; i < std::min<std::size_t>(2, connected.size()); ++i)
+            chosen.emplace_back(std::string(1, char('A' + i)), "");
+    }
+    std::set<std::string> free;
+    bool anyReal = false;
+    for (const CameraDescription &device : connected) {
+        if (device.busy)
+            continue; // another program has it
+        free.insert(device.uri);
+        anyReal = anyReal || device.kind != "simulated";
+    }
+    const auto give = [&](ChosenCamera &camera, const std::string &uri) {
+        if (camera.second.empty() && free.erase(withoutWishes(uri)) > 0)
+            camera.second = uri;
+    };
+    for (std::size_t i = 0; i < cameras.size(); ++i)
+        give(chosen[i], cameras[i].deviceUri);
+    for (ChosenCamera &camera : chosen) {
+        if (const auto was = before.find(camera.first); was != before.end())
+            give(camera, was->second);
+    }
+    for (ChosenCamera &camera : chosen) {
+        if (!anyReal)
+            give(camera, simulated + camera.first);
+        for (const CameraDescription &device : connected) {
+            if (device.kind != "simulated")
+                give(camera, device.uri);
+        }
+    }
+    return chosen;
+}
+
+std::map<std::string, std::string> rememberedCameras()
+{
+    QSettings settings;
+    settings.beginGroup(group);
+    std::map<std::string, std::string> before;
+    for (const QString &name : settings.childKeys())
+        before[name.toStdString()] = settings.value(name).toString().toStdString();
+    return before;
+}
+
+void rememberCameras(const std::vector<ChosenCamera> &cameras)
+{
+    QSettings settings;
+    settings.beginGroup(group);
+    for (const auto &[name, uri] : cameras)
+        settings.setValue(QString::fromStdString(name), QString::fromStdString(uri));
+}
+
+CameraChoiceDialog::CameraChoiceDialog(std::vector<ChosenCamera> cameras, LiveCameras &connected,
+                                       QWidget *parent)
+    : QDialog(parent), m_connected(connected), m_cameras(std::move(cameras)), m_words(new QLabel),
+      m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel))
+{
+    setWindowTitle(tr("Cameras to record with"));
+    if (m_cameras.empty())
+        m_cameras = {{"A", ""}, {"B", ""}};
+    auto *form = new QFormLayout;
+    for (const auto &[name, uri] : m_cameras) {
+        auto *box = new QComboBox;
+        box->setAccessibleName(tr("Device that is camera %1").arg(QString::fromStdString(name)));
+        box->setMinimumContentsLength(52); // a name of a device and its picture, before they are found
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        connect(box, &QComboBox::currentIndexChanged, this, &CameraChoiceDialog::check);
+        auto *settings = plainButton(tr("Settings…"));
+        settings->setAccessibleName(tr("Settings of camera %1").arg(QString::fromStdString(name)));
+        const std::size_t camera = m_boxes.size();
+        connect(settings, &QPushButton::clicked, this, [this, camera] { askWishes(camera); });
+        auto *row = new QHBoxLayout;
+        row->addWidget(box, 1);
+        row->addWidget(settings);
+        auto *label = new ElidedLabel;
+        label->setFullText(tr("Camera %1").arg(QString::fromStdString(name)));
+        form->addRow(label, row);
+        m_boxes.push_back(box);
+        m_settings.push_back(settings);
+        m_wanted[withoutWishes(uri)] = uri;
+    }
+    m_words->setWordWrap(true);
+    m_words->setTextFormat(Qt::PlainText);
+    m_words->setObjectName(QStringLiteral("quiet"));
+    QPushButton *look = m_buttons->addButton(tr("&Look again"), QDialogButtonBox::ActionRole);
+    QPushButton *use = m_buttons->addButton(tr("Use these"), QDialogButtonBox::AcceptRole);
+    auto *layout = new QVBoxLayout(this);
+    layout->addLayout(form);
+    layout->addWidget(m_words);
+    layout->addWidget(m_buttons);
+    use->setDefault(true);
+    connect(look, &QPushButton::clicked, &m_connected, &LiveCameras::look);
+    connect(&m_connected, &LiveCameras::changed, this, &CameraChoiceDialog::fill);
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    fill();
+    m_connected.look();
+}
+
+void CameraChoiceDialog::fill()
+{
+    for (std::size_t i = 0; i < m_boxes.size(); ++i) {
+        QComboBox &box = *m_boxes[i];
+        const QSignalBlocker quiet(box);
+        const QString now = box.count() > 0 ? box.currentData().toString()
+                                            : QString::fromStdString(withoutWishes(m_cameras[i].second));
+        box.clear();
+        box.addItem(tr("not used"), QString());
+        for (const CameraDescription &device : m_connected.cameras()) {
+            QString words = shownDeviceName(device);
+            if (!device.formats.empty())
+                words += QStringLiteral(" · ") + shownWords(device.formats.front());
+            if (device.busy)
+                words += QStringLiteral(" · ") + tr("in use by another program");
+            box.addItem(words, QString::fromStdString(device.uri));
+        }
+        if (!now.isEmpty() && box.findData(now) < 0)
+            box.addItem(tr("%1 (not connected)").arg(now), now);
+        box.setCurrentIndex(std::max(0, box.findData(now)));
+    }
+    check();
+}
+
+void CameraChoiceDialog::check()
+{
+    QSet<QString> uris;
+    int used = 0;
+    for (const QComboBox *box : m_boxes) {
+        const QString uri = box->currentData().toString();
+        used += !uri.isEmpty();
+        if (!uri.isEmpty())
+            uris.insert(uri);
+    }
+    for (std::size_t i = 0; i < m_boxes.size(); ++i)
+        m_settings[i]->setEnabled(takesWishes(m_boxes[i]->currentData().toString().toStdString()));
+    QString words;
+    if (m_connected.isLooking())
+        words = tr("Looking for cameras…");
+    else if (used == 0)
+        words = tr("Choose at least one camera. With two, the place of a robot is known better, and while "
+                   "one cannot see it.");
+    else if (uris.size() < used)
+        words = tr("One device cannot be two cameras.");
+    m_words->setText(words);
+    for (QAbstractButton *button : m_buttons->buttons()) {
+        if (m_buttons->buttonRole(button) == QDialogButtonBox::AcceptRole)
+            button->setEnabled(used > 0 && uris.size() == used);
+    }
+}
+
+/// With what is wanted of it.
+std::string CameraChoiceDialog::uriOf(std::size_t camera) const
+{
+    const std::string uri = m_boxes[camera]->currentData().toString().toStdString();
+    const auto wanted = m_wanted.find(uri);
+    return wanted == m_wanted.end() ? uri : wanted->second;
+}
+
+void CameraChoiceDialog::askWishes(std::size_t camera)
+{
+    const std::string uri = uriOf(camera);
+    const auto device = std::ranges::find(m_connected.cameras(), withoutWishes(uri), &CameraDescription::uri);
+    const CameraDescription known{.uri = uri, .kind = {}, .name = uri}; // one that is not connected now
+    CameraWishesDialog dialog(device == m_connected.cameras().end() ? known : *device, uri, this);
+    if (dialog.exec() == QDialog::Accepted)
+        m_wanted[withoutWishes(uri)] = dialog.uri();
+}
+
+std::vector<ChosenCamera> CameraChoiceDialog::cameras() const
+{
+    std::vector<ChosenCamera> chosen = m_cameras;
+    for (std::size_t i = 0; i < m_boxes.size(); ++i)
+        chosen[i].second = uriOf(i);
+    return chosen;
+}
+
+namespace {
+
+constexpr const char *network = "aravis:";
+constexpr double mostFramesPerSecond = 1000, mostExposureMs = 1000;
+
+/// "format=MJPG&size=1280x720" of "MJPG 1280×720 at 30 frames/s"; empty where it is not of that form.
+QString pictureOf(const QString &words)
+{
+    static const QRegularExpression form(QStringLiteral("^(\\S+) (\\d+)×(\\d+) "));
+    const QRegularExpressionMatch found = form.match(words);
+    return found.hasMatch() ? QStringLiteral("format=%1&size=%2x%3")
+                                  .arg(found.captured(1), found.captured(2), found.captured(3))
+                            : QString();
+}
+
+QDoubleSpinBox *freeNumber(double most, const QString &unit)
+{
+    auto *box = new NumberBox;
+    box->setRange(0, most);
+    box->setSuffix(QStringLiteral(" ") + unit);
+    box->setSpecialValueText(CameraWishesDialog::tr("as the camera has it"));
+    return box;
+}
+
+CameraWish wish(const std::string &name, const std::string &value)
+{
+    return {name + "=" + value, name, value};
+}
+
+std::string text(double value)
+{
+    return QString::number(value, 'g', 6).toStdString();
+}
+
+} // namespace
+
+CameraWishesDialog::CameraWishesDialog(const CameraDescription &device, const std::string &uri,
+                                       QWidget *parent)
+    : QDialog(parent), m_uri(uri), m_onNetwork(uri.starts_with(network)), m_picture(new QComboBox),
+      m_rate(freeNumber(mostFramesPerSecond, tr("frames/s"))),
+      m_exposure(freeNumber(mostExposureMs, tr("ms"))),
+      m_trigger(new QCheckBox(tr("Ask for each picture, so that all such cameras take theirs together")))
+{
+    setWindowTitle(tr("Settings of %1").arg(shownDeviceName(device)));
+    addPicture(device);
+    m_picture->setAccessibleName(tr("Picture"));
+    m_rate->setAccessibleName(tr("Rate"));
+    m_exposure->setAccessibleName(tr("Exposure"));
+    m_trigger->setAccessibleName(tr("Software trigger"));
+    auto *form = new QFormLayout;
+    form->addRow(tr("&Picture"), m_picture);
+    form->addRow(tr("&Rate"), m_rate);
+    form->addRow(tr("&Exposure"), m_exposure);
+    form->addRow(tr("&Trigger"), m_trigger);
+    form->setRowVisible(m_exposure, m_onNetwork);
+    form->setRowVisible(m_trigger, m_onNetwork);
+    auto *words = new QLabel(tr("What the camera cannot do is said when it is opened."));
+    words->setObjectName(QStringLiteral("quiet"));
+    words->setWordWrap(true);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    QPushButton *use = buttons->addButton(tr("Use these"), QDialogButtonBox::AcceptRole);
+    auto *layout = new QVBoxLayout(this);
+    layout->addLayout(form);
+    layout->addWidget(words);
+    layout->addWidget(buttons);
+    use->setDefault(true); // now that it belongs to the dialog
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    showWishes(splitCameraUri(uri, m_onNetwork ? network : "v4l2:").wishes);
+}
+
+void CameraWishesDialog::addPicture(const CameraDescription &device)
+{
+    m_picture->addItem(tr("the best for tracking"), QString());
+    if (m_onNetwork) {
+        for (const char *format : {"BayerRG8", "BayerGR8", "BayerGB8", "BayerBG8", "RGB8", "BGR8", "Mono8"})
+            m_picture->addItem(QString::fromLatin1(format),
+                               QStringLiteral("format=%1").arg(QLatin1String(format)));
+        return;
+    }
+    for (const std::string &format : device.formats) {
+        const QString words = QString::fromStdString(format);
+        if (const QString picture = pictureOf(words); !picture.isEmpty())
+            m_picture->addItem(shownWords(words), picture);
+    }
+}
+
+void CameraWishesDialog::showWishes(std::vector<CameraWish> wishes)
+{
+    QStringList picture;
+    for (CameraWish &wish : wishes) {
+        const double number = QString::fromStdString(wish.value).toDouble();
+        if (wish.name == "rate")
+            m_rate->setValue(number);
+        else if (wish.name == "exposure_ms" && m_onNetwork)
+            m_exposure->setValue(number);
+        else if (wish.name == "trigger" && m_onNetwork)
+            m_trigger->setChecked(wish.value == "software");
+        else if (wish.name == "format" || (wish.name == "size" && !m_onNetwork))
+            picture << QString::fromStdString(wish.text);
+        else
+            m_others.push_back(std::move(wish));
+    }
+    picture.sort(); // format, then size
+    const QString wanted = picture.join(u'&');
+    if (m_picture->findData(wanted) < 0)
+        m_picture->addItem(picture.join(QStringLiteral(", ")), wanted);
+    m_picture->setCurrentIndex(m_picture->findData(wanted));
+}
+
+std::string CameraWishesDialog::uri() const
+{
+    std::vector<CameraWish> wishes;
+    if (const QString picture = m_picture->currentData().toString(); !picture.isEmpty())
+        wishes = splitCameraUri("x:?" + picture.toStdString(), "x:").wishes;
+    if (m_rate->value() > 0)
+        wishes.push_back(wish("rate", text(m_rate->value())));
+    if (m_exposure->value() > 0)
+        wishes.push_back(wish("exposure_ms", text(m_exposure->value())));
+    if (m_trigger->isChecked())
+        wishes.push_back(wish("trigger", "software"));
+    wishes.insert(wishes.end(), m_others.begin(), m_others.end());
+    return withWishes(m_uri, wishes);
+}
+
+} // namespace odo

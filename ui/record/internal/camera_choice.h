@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/capture/camera_source.h"
+#include "core/project/records.h"
+
+#include <QDialog>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QDialogButtonBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QPushButton;
+
+namespace odo {
+
+/// A camera of the project and the address of the device that it is; empty: it is not used.
+using ChosenCamera = std::pair<std::string, std::string>;
+
+/// Which device each camera of a project is: the one told in the project, or chosen before on this machine,
+/// where it is connected and free, with what is wanted of it; else a simulated one of its name while no real
+/// one is there, else the real ones that are left, in their order. A project without cameras gets "A", "B",
+/// ... for those that are connected, two at most.
+std::vector<ChosenCamera> proposeCameras(const std::vector<CameraRecord> &cameras,
+                                         const std::vector<CameraDescription> &connected,
+                                         const std::map<std::string, std::string> &before);
+
+/// Remembered on this machine, by the cameras' names.
+std::map<std::string, std::string> rememberedCameras();
+void rememberCameras(const std::vector<ChosenCamera> &cameras);
+
+class LiveCameras;
+
+/// Which connected device is which camera of the project.
+class CameraChoiceDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    /// connected must outlive it.
+    CameraChoiceDialog(std::vector<ChosenCamera> cameras, LiveCameras &connected, QWidget *parent = nullptr);
+    /// As chosen; those that are not used with an empty address.
+    std::vector<ChosenCamera> cameras() const;
+
+private:
+    void fill();
+    void check();
+    void askWishes(std::size_t camera);
+    std::string uriOf(std::size_t camera) const;
+
+    LiveCameras &m_connected;
+    std::vector<ChosenCamera> m_cameras;
+    std::vector<QComboBox *> m_boxes; ///< addresses without what is wanted
+    std::vector<QPushButton *> m_settings;
+    std::map<std::string, std::string> m_wanted; ///< by such an address: the whole one
+    QLabel *m_words;
+    QDialogButtonBox *m_buttons;
+};
+
+/// How a USB or network camera is to be set: what else stands behind the '?' of its address, see
+/// docs/cameras.md. What is not asked for here, and was in the address, stays there.
+class CameraWishesDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    /// uri: the camera's address with what is wanted of it by now. Only for addresses that take wishes.
+    CameraWishesDialog(const CameraDescription &device, const std::string &uri, QWidget *parent = nullptr);
+    /// With what is wanted now.
+    std::string uri() const;
+
+private:
+    void addPicture(const CameraDescription &device);
+    void showWishes(std::vector<CameraWish> wishes);
+
+    const std::string m_uri;
+    const bool m_onNetwork;
+    std::vector<CameraWish> m_others; ///< that are not asked for here
+    QComboBox *m_picture;
+    QDoubleSpinBox *m_rate, *m_exposure;
+    QCheckBox *m_trigger;
+};
+
+} // namespace odo

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/capture/capture_session.h"
+#include "core/capture/setup_checks.h"
+#include "ui/models/background_task.h"
+
+#include <QDialog>
+#include <QFrame>
+#include <QString>
+#include <memory>
+
+class QLabel;
+class QPushButton;
+
+namespace odo {
+
+class ChosenCameras;
+class LiveBoard;
+class Project;
+class TroubleBar;
+
+/// Looks at how the cameras and the disk fare, shows it on the board and what is the matter in the bar, and
+/// knows whether a run can be recorded. All must outlive it. GUI thread.
+class HealthWatch
+{
+public:
+    HealthWatch(const Project &project, bool readOnly, ChosenCameras &cameras, LiveBoard &board,
+                TroubleBar &trouble);
+
+    /// Once more; nothing while no camera runs.
+    void look();
+    /// Before anything is known of the cameras.
+    void lookAtNone() { showTrouble({}); }
+    /// Losses are counted from now on, as a run begins: the cameras run.
+    void countFromNow();
+    /// Losses are counted from their opening, as cameras are opened.
+    void countFromOpening() { m_before = {}; }
+    /// What keeps a run from being recorded, in words; empty: nothing.
+    QString blocked() const;
+    /// How long the disk has room for, in words.
+    const QString &room() const { return m_room; }
+    /// By the last look nothing more can be recorded: the disk has ended, or every camera.
+    bool hasEnded() const { return m_hasEnded; }
+
+private:
+    void showTrouble(const CaptureHealth &health);
+
+    const Project &m_project;
+    const bool m_readOnly;
+    ChosenCameras &m_cameras;
+    LiveBoard &m_board;
+    TroubleBar &m_trouble;
+    QString m_room;
+    CaptureHealth m_before; ///< losses are counted since then
+    bool m_anyDelivers = false, m_hasEnded = false;
+};
+
+/// A sentence across the page as long as something is the matter, with a button that leads to its cure.
+/// Hidden without words.
+class TroubleBar : public QFrame
+{
+    Q_OBJECT
+public:
+    explicit TroubleBar(QWidget *parent = nullptr);
+    /// button: its words; empty: none.
+    void setWords(const QString &words, const QString &button = {});
+    QString words() const;
+
+Q_SIGNALS:
+    void clicked();
+
+private:
+    QLabel *m_words;
+    QPushButton *m_button;
+};
+
+class FactList;
+class RunningCameras;
+
+/// The set-up doctor: what makes cameras lose pictures or measure wrongly on this machine, each with what to
+/// do about it.
+class DoctorDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    /// cameras: those that run, if any do; must outlive it.
+    explicit DoctorDialog(const RunningCameras &cameras, QWidget *parent = nullptr);
+
+private:
+    void examine();
+    void show(const std::vector<SetupFinding> &findings);
+
+    const RunningCameras &m_cameras;
+    FactList *m_facts;
+    QLabel *m_words;
+    QPushButton *m_again = nullptr;
+    BackgroundTask m_task;
+};
+
+} // namespace odo

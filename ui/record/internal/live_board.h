@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/capture/capture_health.h"
+#include "core/trajectory/live_track.h"
+#include "ui/models/trial_scene.h"
+#include "ui/record/internal/health_words.h"
+#include "ui/record/internal/running_cameras.h"
+#include "ui/views/map/map_canvas.h"
+#include "ui/views/map/map_painting.h"
+
+#include <QWidget>
+#include <vector>
+
+class QAction;
+class QSplitter;
+
+namespace odo {
+
+class Card;
+class FactList;
+class LiveMap;
+class LivePictureArea;
+
+/// What goes on now: a picture a camera, the map, and how cameras, map and disk do.
+class LiveBoard : public QWidget
+{
+    Q_OBJECT
+public:
+    /// tools: buttons beside the health.
+    explicit LiveBoard(const QList<QAction *> &tools, QWidget *parent = nullptr);
+
+    /// A card a camera, before the first picture too.
+    void setCameras(const RunningCameras &running);
+    void setFloor(const TrialScenePtr &floor);
+    void setRobots(const std::vector<RobotRecord> &robots);
+    /// To where the robots' places are sent; nullopt: nowhere.
+    void setTarget(const std::optional<BroadcastTarget> &target);
+    void setPicture(const LivePicture &picture);
+    void addMoment(const LiveMoment &moment);
+    void forgetWays();
+    /// before: losses are counted from there.
+    void setHealth(const CaptureHealth &health, const std::vector<WantedCamera> &cameras,
+                   const LiveFigures &live, const CaptureHealth &before);
+
+    const LiveMap &map() const { return *m_map; }
+    const std::vector<LivePictureArea *> &pictures() const { return m_areas; }
+
+Q_SIGNALS:
+    void shownSizeChanged(std::size_t view, const QSize &devicePixels);
+
+private:
+    QSplitter *m_pictures;
+    Card *m_mapCard;
+    std::vector<Card *> m_cards;
+    std::vector<LivePictureArea *> m_areas;
+    LiveMap *m_map;
+    FactList *m_health;
+};
+
+/// The floor from above while the robots drive: markers, the task's gates and path, where each robot is and
+/// has been.
+class LiveMap : public MapCanvas
+{
+    Q_OBJECT
+public:
+    explicit LiveMap(QWidget *parent = nullptr);
+
+    /// A scene of a layout and a task, without robots; null: no camera is registered.
+    void setFloor(TrialScenePtr floor);
+    void setRobots(std::vector<RobotRecord> robots);
+    void addPosition(std::size_t robot, const LivePosition &position);
+    void forgetWays();
+
+    /// The newest place of a robot; nullopt: not seen just now.
+    std::optional<Eigen::Vector2d> place(std::size_t robot) const;
+
+    /// Where each robot is; those that have not been heard of for a while are not seen.
+    std::vector<SeenRobot> robots() const;
+
+    QSize sizeHint() const override { return {420, 300}; }
+    QSize minimumSizeHint() const override { return {180, 140}; }
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    struct Driven
+    {
+        RobotRecord robot;
+        std::vector<std::optional<Eigen::Vector2d>> way; ///< empty places: it was not seen
+        std::optional<LivePosition> now;
+        std::optional<double> headingRad;
+    };
+    MapPlan plan() const;
+    void paintStill(QPainter &painter) const override;
+    void drawStep(QPainter &painter, std::size_t robot, std::size_t to) const;
+    QColor colourOf(std::size_t robot) const;
+
+    TrialScenePtr m_floor;
+    std::vector<Driven> m_robots;
+    std::vector<int> m_places; ///< of their colours in the palette
+};
+
+} // namespace odo

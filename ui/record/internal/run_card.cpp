@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/record/internal/run_card.h"
+
+#include "ui/models/figure_text.h"
+#include "ui/models/shown_names.h"
+#include "ui/views/widgets/command_keys.h"
+#include "ui/views/widgets/form_fields.h"
+#include "ui/views/widgets/theme.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QStyle>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+constexpr int byGate = -1; // data of the way to begin; others are seconds
+constexpr int mostLaps = 100;
+
+bool hasStart(const std::optional<Task> &task, bool lapped)
+{
+    return task && std::ranges::any_of(task->gates, [lapped](const Gate &gate) {
+               return gate.role == GateRole::StartFinish || (!lapped && gate.role == GateRole::Start);
+           });
+}
+
+} // namespace
+
+RunCard::RunCard(QWidget *parent)
+    : Card(tr("Up now"), parent), m_form(new QFormLayout), m_class(new QComboBox), m_team(new QComboBox),
+      m_task(new QComboBox), m_start(new QComboBox), m_robots(new CheckList(tr("Robots that drive"))),
+      m_trial(new QLineEdit), m_laps(new QSpinBox)
+{
+    auto *content = new QWidget;
+    content->setObjectName(QStringLiteral("cardBody"));
+    content->setLayout(m_form);
+    m_form->setContentsMargins(10, 8, 10, 8);
+    m_form->setVerticalSpacing(5);
+    m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    m_form->addRow(tr("&Class"), m_class);
+    m_form->addRow(tr("Te&am"), m_team);
+    m_form->addRow(tr("Tas&k"), m_task);
+    m_form->addRow(tr("R&obots"), m_robots);
+    m_form->addRow(tr("Trial &name"), m_trial);
+    m_form->addRow(tr("Be&gins"), m_start);
+    m_form->addRow(tr("&Laps"), m_laps);
+    m_laps->setRange(1, mostLaps);
+    m_laps->setAccessibleName(tr("Laps until it ends"));
+    m_team->setAccessibleName(tr("Team that is up"));
+    m_start->setAccessibleName(tr("How the recording begins"));
+    for (QComboBox *box : {m_class, m_team, m_task, m_start}) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(12);
+    }
+    setContent(content);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    connect(m_class, &QComboBox::currentIndexChanged, this, [this] {
+        fillTeams();
+        chooseTeam();
+    });
+    connect(m_team, &QComboBox::currentIndexChanged, this, &RunCard::chooseTeam);
+    connect(m_task, &QComboBox::currentIndexChanged, this, [this] {
+        showStarts();
+        Q_EMIT changed();
+    });
+    connect(m_robots, &QListWidget::itemChanged, this, &RunCard::robotsChanged);
+    connect(m_start, &QComboBox::currentIndexChanged, this, [this] {
+        showStarts();
+        Q_EMIT changed();
+    });
+    connect(m_laps, &QSpinBox::valueChanged, this, &RunCard::changed);
+    showStarts();
+}
+
+void RunCard::setLineUp(const LineUp &lineUp)
+{
+    m_lineUp = lineUp;
+    const QSignalBlocker quietClass(m_class), quietTask(m_task), quietRobots(m_robots);
+    const QString className = m_class->currentData().toString(), task = m_task->currentText();
+    const std::vector<std::string> checked = m_robots->checkedNames();
+    m_class->clear();
+    for (const std::string &name : lineUp.classes())
+        m_class->addItem(name.empty() ? tr("no class") : QString::fromStdString(name),
+                         QString::fromStdString(name));
+    m_class->setCurrentIndex(std::max(0, m_class->findData(className)));
+    m_form->setRowVisible(m_class, m_class->count() > 1);
+    fillTeams();
+    m_task->clear();
+    m_task->addItem(tr("none"), QString());
+    for (const TaskRecord &each : lineUp.tasks())
+        m_task->addItem(QString::fromStdString(each.name), QString::fromStdString(each.name));
+    m_task->setCurrentIndex(std::max(0, m_task->findText(task)));
+    m_form->setRowVisible(m_task, m_task->count() > 1);
+    QStringList names;
+    for (const RobotRecord &robot : lineUp.robots())
+        names << QString::fromStdString(robot.name);
+    m_robots->setNames(names, false);
+    for (int i = 0; i < m_robots->count(); ++i) {
+        if (std::ranges::find(checked, m_robots->item(i)->text().toStdString()) != checked.end())
+            m_robots->item(i)->setCheckState(Qt::Checked);
+    }
+    m_form->setRowVisible(m_robots, m_robots->count() > 0);
+    showStarts();
+}
+
+void RunCard::fillTeams()
+{
+    const QSignalBlocker quiet(m_team);
+    const QString before = m_team->currentData().toString();
+    m_team->clear();
+    for (const std::string &name : m_lineUp.teams(m_class->currentData().toString().toStdString()))
+        m_team->addItem(shownTeam(name, m_lineUp.pseudonymOf(name)), QString::fromStdString(name));
+    m_team->addItem(tr("no team"), QString());
+    m_team->setCurrentIndex(std::max(0, m_team->findData(before)));
+    m_form->setRowVisible(m_team, m_team->count() > 1);
+}
+
+void RunCard::chooseTeam()
+{
+    NextRun run = m_lineUp.run(m_class->currentData().toString().toStdString(),
+                               m_team->currentData().toString().toStdString());
+    run.task = m_task->currentData().toString().toStdString(); // the class goes on with what it was doing
+    setRun(run);
+}
+
+void RunCard::setRun(const NextRun &run)
+{
+    {
+        const QSignalBlocker quietClass(m_class), quietTeam(m_team), quietTask(m_task), quietRobots(m_robots);
+        m_class->setCurrentIndex(std::max(0, m_class->findData(QString::fromStdString(run.className))));
+        fillTeams();
+        m_team->setCurrentIndex(std::max(0, m_team->findData(QString::fromStdString(run.team))));
+        m_task->setCurrentIndex(std::max(0, m_task->findData(QString::fromStdString(run.task))));
+        for (int i = 0; i < m_robots->count(); ++i) {
+            const bool drives =
+                std::ranges::find(run.robots, m_robots->item(i)->text().toStdString()) != run.robots.end();
+            m_robots->item(i)->setCheckState(drives ? Qt::Checked : Qt::Unchecked);
+        }
+        m_trial->setText(QString::fromStdString(run.trial));
+    }
+    showStarts();
+    Q_EMIT robotsChanged();
+    Q_EMIT changed();
+}
+
+void RunCard::showStarts()
+{
+    const QSignalBlocker quiet(m_start);
+    const QVariant chosen = m_start->count() > 0 ? m_start->currentData() : QVariant(0);
+    m_start->clear();
+    m_start->addItem(tr("at once"), 0);
+    for (const int seconds : {3, 5, 10})
+        m_start->addItem(tr("after a countdown of %1 s").arg(seconds), seconds);
+    if (hasStart(task(), false))
+        m_start->addItem(tr("when the robot passes the start"), byGate);
+    m_start->setCurrentIndex(std::max(0, m_start->findData(chosen)));
+    m_form->setRowVisible(m_laps, m_start->currentData().toInt() == byGate && hasStart(task(), true));
+}
+
+NextRun RunCard::run() const
+{
+    return {m_class->currentData().toString().toStdString(), m_team->currentData().toString().toStdString(),
+            m_task->currentData().toString().toStdString(), m_robots->checkedNames(),
+            m_trial->text().trimmed().toStdString()};
+}
+
+RunSettings RunCard::settings() const
+{
+    RunSettings settings;
+    const int start = m_start->currentData().toInt();
+    settings.byGates = start == byGate;
+    settings.countdown = std::chrono::seconds(std::max(0, start));
+    settings.laps = m_laps->value();
+    return settings;
+}
+
+std::optional<Task> RunCard::task() const
+{
+    const TaskRecord *record = m_lineUp.task(m_task->currentData().toString().toStdString());
+    return record ? std::optional(record->task) : std::nullopt;
+}
+
+std::vector<RobotRecord> RunCard::robots() const
+{
+    const std::vector<std::string> checked = m_robots->checkedNames();
+    std::vector<RobotRecord> robots;
+    for (const RobotRecord &robot : m_lineUp.robots()) {
+        if (std::ranges::find(checked, robot.name) != checked.end())
+            robots.push_back(robot);
+    }
+    return robots;
+}
+
+namespace {
+
+constexpr int iconSide = 22;
+
+/// "00:12.3": tenths are enough while it runs.
+QString clockText(Nanoseconds elapsed)
+{
+    return timeCode(elapsed).chopped(2);
+}
+
+} // namespace
+
+StartCard::StartCard(QWidget *parent)
+    : Card(tr("Recording"), parent), m_action(new QAction(tr("&Record or stop"), this)),
+      m_button(new QPushButton), m_clock(new QLabel), m_words(new QLabel)
+{
+    auto *content = new QWidget;
+    content->setObjectName(QStringLiteral("cardBody"));
+    auto *layout = new QVBoxLayout(content);
+    layout->setContentsMargins(10, 10, 10, 8);
+    layout->setSpacing(6);
+    m_button->setObjectName(QStringLiteral("recordButton"));
+    m_button->setIconSize({iconSide, iconSide});
+    m_clock->setObjectName(QStringLiteral("recordClock"));
+    m_clock->setAlignment(Qt::AlignCenter);
+    m_clock->setTextFormat(Qt::PlainText);
+    m_clock->setAccessibleName(tr("Time recorded"));
+    m_words->setTextFormat(Qt::PlainText);
+    m_words->setWordWrap(true);
+    m_words->setAlignment(Qt::AlignCenter);
+    m_words->setObjectName(QStringLiteral("quiet"));
+    layout->addWidget(m_button);
+    layout->addWidget(m_clock);
+    layout->addWidget(m_words);
+    setContent(content);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    nameCommands({{m_action, "recordOrStop"}});
+    m_action->setShortcut(QKeySequence(Qt::Key_F9));
+    connect(m_action, &QAction::triggered, this, &StartCard::pressed);
+    connect(m_button, &QPushButton::clicked, this, &StartCard::pressed);
+    setState({});
+}
+
+void StartCard::setState(const State &state)
+{
+    QString words, clock = clockText(state.elapsed);
+    QString sign = QStringLiteral("record"), text = tr("Record");
+    bool able = state.blocked.isEmpty() && !state.ending;
+    switch (state.phase) {
+    case RunPhase::Ready:
+        words = state.ending               ? tr("Writing the last pictures…")
+                : !state.blocked.isEmpty() ? state.blocked
+                : state.room.isEmpty()     ? tr("F9 records, F9 stops")
+                                           : tr("F9 records, F9 stops; %1").arg(state.room);
+        break;
+    case RunPhase::CountingDown:
+        text = tr("Call off");
+        sign = QStringLiteral("stop");
+        clock = tr("in %1").arg(int(std::ceil(toSeconds(state.countdownLeft))));
+        words = tr("Get ready");
+        able = true;
+        break;
+    case RunPhase::Armed:
+        text = tr("Call off");
+        sign = QStringLiteral("stop");
+        words = tr("Waiting for the robot at “%1”; it is recorded from a second before").arg(state.gate);
+        able = true;
+        break;
+    case RunPhase::Recording:
+        text = tr("Stop");
+        sign = QStringLiteral("stop");
+        words = state.room;
+        able = true;
+        break;
+    }
+    if (m_button->text() != text || m_button->icon().isNull() || m_button->isEnabled() != able) {
+        m_button->setText(text);
+        m_button->setAccessibleName(text);
+        m_button->setIcon(able ? themeIcon(sign, Qt::white) : themeIcon(sign)); // white would be lost on grey
+    }
+    const bool isOn = state.phase != RunPhase::Ready;
+    if (m_button->property("on").toBool() != isOn) {
+        m_button->setProperty("on", isOn);
+        m_button->style()->unpolish(m_button);
+        m_button->style()->polish(m_button);
+    }
+    m_button->setEnabled(able);
+    m_action->setEnabled(able);
+    m_clock->setText(clock);
+    if (m_words->text() != words)
+        m_words->setText(words);
+}
+
+QString StartCard::words() const
+{
+    return m_words->text();
+}
+
+} // namespace odo

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/record/internal/run_results.h"
+
+#include "core/workflow/track/track_job.h"
+#include "ui/models/core_words.h"
+#include "ui/models/figure_text.h"
+#include "ui/models/results.h"
+#include "ui/views/widgets/figure_grid.h"
+#include "ui/views/widgets/theme.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace odo {
+
+namespace {
+
+/// Time (of the task, or else of the run), top speed, and what else tells most.
+std::vector<Metric> shownMetrics(const std::vector<Metric> &all, std::size_t count)
+{
+    std::vector<Metric> chosen = tellingMetrics(all, count);
+    const auto top = std::ranges::find(all, std::string("max_speed"), &Metric::name);
+    if (top != all.end() && std::ranges::find(chosen, top->name, &Metric::name) == chosen.end() &&
+        !chosen.empty())
+        chosen.back() = *top;
+    return chosen;
+}
+
+} // namespace
+
+RunResultCard::RunResultCard(QWidget *parent)
+    : Card(tr("Result"), parent), m_grid(new FigureGrid), m_words(new QLabel),
+      m_open(new QPushButton(tr("&Open in Review")))
+{
+    auto *content = new QWidget;
+    content->setObjectName(QStringLiteral("cardBody"));
+    auto *layout = new QVBoxLayout(content);
+    layout->setContentsMargins(0, 0, 0, 8);
+    layout->setSpacing(4);
+    m_words->setTextFormat(Qt::PlainText);
+    m_words->setWordWrap(true);
+    m_words->setContentsMargins(12, 8, 12, 0);
+    m_open->setIcon(themeIcon(QStringLiteral("review")));
+    layout->addWidget(m_grid);
+    layout->addWidget(m_words);
+    auto *row = new QHBoxLayout;
+    row->setContentsMargins(12, 2, 12, 0);
+    row->addWidget(m_open);
+    row->addStretch(1);
+    layout->addLayout(row);
+    layout->addStretch(1);
+    setContent(content);
+    m_open->hide();
+    m_grid->hide();
+    m_words->setText(tr("The figures of a run stand here a moment after it has ended."));
+    connect(m_open, &QPushButton::clicked, this, [this] { Q_EMIT openRequested(m_trial); });
+}
+
+void RunResultCard::setWorking(const QString &trial)
+{
+    m_trial = trial;
+    setRemark(trial);
+    m_grid->hide();
+    m_open->hide();
+    m_words->setText(tr("Measuring…"));
+}
+
+void RunResultCard::setResults(const QString &trial, const std::vector<Result> &results, From from)
+{
+    m_trial = trial;
+    setRemark(results.size() == 1 ? trial + QStringLiteral(" · ") + results.front().robot : trial);
+    std::vector<NamedFigure> figures;
+    const std::size_t each = results.size() > 1 ? 2 : 5;
+    for (const Result &result : results) {
+        for (const Metric &metric : shownMetrics(result.metrics, each)) {
+            const QString name = metricName(metric.name);
+            figures.push_back(
+                {results.size() > 1 ? joinedWords(result.robot, name) : name, metricFigure(metric)});
+        }
+        if (results.size() == 1)
+            figures.push_back({tr("Spikes flagged"), figureText(double(result.spikes), std::nullopt, {})});
+    }
+    m_grid->setFigures(std::move(figures));
+    m_grid->show();
+    m_words->setText(from == From::Live
+                         ? tr("From live tracking. The final figures come from the recording, in a moment.")
+                         : tr("Final, from every picture of the recording."));
+    m_open->setVisible(from == From::Recording);
+}
+
+void RunResultCard::setFailure(const QString &trial, const QString &words)
+{
+    m_trial = trial;
+    setRemark(trial);
+    m_grid->hide();
+    m_words->setText(words);
+    m_open->setVisible(!trial.isEmpty());
+}
+
+QString RunResultCard::words() const
+{
+    return m_words->text();
+}
+
+namespace {
+
+constexpr std::ptrdiff_t leastSightings = 10;
+
+bool wasSeen(const LiveRun &run)
+{
+    return std::ranges::any_of(run.views, [](const ViewTrack &view) {
+        return std::ranges::count_if(view.observations, &Observation::found) >= leastSightings;
+    });
+}
+
+RunResultCard::Result resultOf(const std::string &robot, const Profile &profile)
+{
+    return {QString::fromStdString(robot), profile.metrics, profile.spikes.size()};
+}
+
+} // namespace
+
+RunMeasuring::RunMeasuring(Project &project, QObject *parent) : QObject(parent), m_jobs(project)
+{
+    connect(&m_jobs, &JobRunner::finished, this,
+            [this](const std::shared_ptr<Job> &, const std::optional<Error> &error) { finish(error); });
+}
+
+RunMeasuring::~RunMeasuring() = default;
+
+void RunMeasuring::measureLive(const QString &trial, std::vector<LiveRun> runs,
+                               const std::optional<TaskRecord> &task)
+{
+    m_seen = {trial, {}};
+    for (const LiveRun &run : runs) {
+        if (wasSeen(run))
+            m_seen.robots.push_back(run.robot.name);
+    }
+    const auto results = std::make_shared<std::vector<RunResultCard::Result>>();
+    const auto answered = std::make_shared<QMetaObject::Connection>();
+    *answered = connect(&m_live, &BackgroundTask::finished, this, [this, trial, results, answered] {
+        disconnect(*answered);
+        if (!results->empty()) // else the recording may tell more
+            Q_EMIT measuredLive(trial, *results);
+    });
+    const bool started =
+        m_live.start([runs = std::move(runs), task, results](const JobControl &) -> Result<void> {
+            for (const LiveRun &run : runs) {
+                if (const auto analysis = analyseRun(run, {}, task))
+                    results->push_back(resultOf(run.robot.name, analysis->profile));
+            }
+            return {};
+        });
+    if (!started)
+        disconnect(*answered);
+}
+
+void RunMeasuring::track(const QString &trial)
+{
+    m_waiting.push_back(m_seen.trial == trial ? m_seen : Waiting{trial, {}});
+    goOn();
+}
+
+void RunMeasuring::setRecording(bool recording)
+{
+    m_recording = recording;
+    if (m_recording && m_jobs.isRunning()) {
+        m_stepsBack = true;
+        m_jobs.cancel();
+    }
+    goOn();
+}
+
+void RunMeasuring::goOn()
+{
+    if (m_recording || m_waiting.empty() || m_jobs.isRunning())
+        return;
+    TrackSettings settings;
+    settings.robots = m_waiting.front().robots;
+    m_job = std::make_shared<TrackJob>(m_waiting.front().trial.toStdString(), std::move(settings));
+    m_jobs.start(m_job);
+}
+
+void RunMeasuring::finish(const std::optional<Error> &error)
+{
+    const std::shared_ptr<TrackJob> job = std::move(m_job);
+    if (std::exchange(m_stepsBack, false) && error && error->code == ErrorCode::Cancelled)
+        return goOn(); // it is still the first that waits
+    const QString trial = m_waiting.front().trial;
+    m_waiting.pop_front();
+    if (error) {
+        Q_EMIT failed(trial, *error);
+    } else {
+        std::vector<RunResultCard::Result> results;
+        for (const TrackedRobot &robot : job->outcome().robots)
+            results.push_back(resultOf(robot.name, robot.analysis.profile));
+        QStringList warnings;
+        for (const std::string &warning : job->outcome().warnings)
+            warnings << shownWords(warning);
+        Q_EMIT measured(trial, results, warnings);
+    }
+    goOn();
+}
+
+namespace {
+
+QString asSentence(QString words)
+{
+    if (!words.isEmpty() && !words.endsWith(u'.'))
+        words += u'.';
+    if (!words.isEmpty())
+        words.front() = words.front().toUpper();
+    return words;
+}
+
+QString withWarnings(const QString &said, const QStringList &warnings)
+{
+    QStringList sentences{said};
+    for (const QString &warning : warnings)
+        sentences << asSentence(warning);
+    return sentences.join(u' ');
+}
+
+} // namespace
+
+RunResults::RunResults(Project &project, RunResultCard &card, QObject *parent)
+    : QObject(parent), m_measuring(new RunMeasuring(project, this)), m_card(card)
+{
+    connect(m_measuring, &RunMeasuring::measuredLive, this,
+            [this](const QString &trial, const auto &results) {
+                show(trial, results, RunResultCard::From::Live);
+            });
+    connect(m_measuring, &RunMeasuring::measured, this,
+            [this](const QString &trial, const auto &results, const QStringList &warnings) {
+                show(trial, results, RunResultCard::From::Recording);
+                Q_EMIT changed(withWarnings(tr("%1 is measured.").arg(trial), warnings));
+            });
+    connect(m_measuring, &RunMeasuring::failed, this, [this](const QString &trial, const Error &error) {
+        showFailure(trial,
+                    tr("It is recorded, but could not be measured: %1").arg(asSentence(errorLine(error))));
+        Q_EMIT failed(error);
+    });
+}
+
+void RunResults::takeEnded(const QString &trial, std::vector<LiveRun> runs,
+                           const std::optional<TaskRecord> &task)
+{
+    m_card.setWorking(trial);
+    m_measuring->measureLive(trial, std::move(runs), task);
+}
+
+void RunResults::takeRecorded(const QString &trial, const QStringList &warnings)
+{
+    m_measuring->track(trial);
+    Q_EMIT changed(withWarnings(tr("%1 is recorded.").arg(trial), warnings));
+}
+
+void RunResults::takeGivenUp(const QString &trial, const Error &error)
+{
+    setRecording(false);
+    showFailure(trial, tr("It could not be recorded: %1").arg(asSentence(errorLine(error))));
+    Q_EMIT failed(error);
+}
+
+/// Another run may have ended since; then the card is about that one.
+void RunResults::show(const QString &trial, const std::vector<RunResultCard::Result> &results,
+                      RunResultCard::From from)
+{
+    if (m_card.trial() == trial)
+        m_card.setResults(trial, results, from);
+}
+
+void RunResults::showFailure(const QString &trial, const QString &words)
+{
+    if (m_card.trial() == trial)
+        m_card.setFailure(trial, words);
+}
+
+} // namespace odo

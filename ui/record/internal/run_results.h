@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/analysis/profile.h"
+#include "core/workflow/job_runner.h"
+#include "core/workflow/record/live_tracking.h"
+#include "ui/models/background_task.h"
+#include "ui/views/widgets/card.h"
+
+#include <QList>
+#include <QStringList>
+#include <deque>
+#include <memory>
+#include <vector>
+
+class QLabel;
+class QPushButton;
+
+namespace odo {
+
+class FigureGrid;
+class Project;
+class TrackJob;
+
+/// What a run gave, as soon as it has ended: first from what was seen live, then from the recording itself.
+class RunResultCard : public Card
+{
+    Q_OBJECT
+public:
+    explicit RunResultCard(QWidget *parent = nullptr);
+
+    /// The figures of one robot's run.
+    struct Result
+    {
+        QString robot;
+        std::vector<Metric> metrics;
+        std::size_t spikes = 0;
+    };
+    enum class From { Live, Recording };
+    void setWorking(const QString &trial);
+    void setResults(const QString &trial, const std::vector<Result> &results, From from);
+    /// No figures, and why.
+    void setFailure(const QString &trial, const QString &words);
+
+    QString words() const;
+    QString trial() const { return m_trial; }
+
+Q_SIGNALS:
+    void openRequested(const QString &trial);
+
+private:
+    QString m_trial;
+    FigureGrid *m_grid;
+    QLabel *m_words;
+    QPushButton *m_open;
+};
+
+/// Gets the figures of runs that have ended: at once from what was seen live, then by the ordinary tracking
+/// of the recordings, one after the other, which steps back while somebody records. Lives on the project's
+/// thread.
+class RunMeasuring : public QObject
+{
+    Q_OBJECT
+public:
+    explicit RunMeasuring(Project &project, QObject *parent = nullptr);
+    ~RunMeasuring() override;
+
+    /// Of runs that have just ended; measuredLive() follows.
+    void measureLive(const QString &trial, std::vector<LiveRun> runs, const std::optional<TaskRecord> &task);
+    /// The trial is complete in the project; measured() or failed() follows. Of the run that was measured
+    /// live last, only robots that were seen are looked for: one that never came must not spoil the others'
+    /// figures.
+    void track(const QString &trial);
+    /// Tracking takes what the machine has, and recording comes first.
+    void setRecording(bool recording);
+    bool isIdle() const { return m_waiting.empty() && !m_jobs.isRunning() && !m_live.isRunning(); }
+
+Q_SIGNALS:
+    void measuredLive(const QString &trial, const std::vector<odo::RunResultCard::Result> &results);
+    void measured(const QString &trial, const std::vector<odo::RunResultCard::Result> &results,
+                  const QStringList &warnings);
+    void failed(const QString &trial, const odo::Error &error);
+
+private:
+    void goOn();
+    void finish(const std::optional<Error> &error);
+
+    BackgroundTask m_live;
+    JobRunner m_jobs;
+    struct Waiting
+    {
+        QString trial;
+        std::vector<std::string> robots;
+    };
+    Waiting m_seen;                ///< of the run that was measured live last: the robots that were seen
+    std::deque<Waiting> m_waiting; ///< the first one is being tracked, if any is
+    bool m_recording = false, m_stepsBack = false;
+    std::shared_ptr<TrackJob> m_job;
+};
+
+/// Has runs measured when they have ended, shows the figures of the last one on its card, and tells of each
+/// in sentences. Lives on the project's thread; the card must outlive it.
+class RunResults : public QObject
+{
+    Q_OBJECT
+public:
+    RunResults(Project &project, RunResultCard &card, QObject *parent = nullptr);
+
+    /// A run has ended, as it was seen live; its recording is being completed.
+    void takeEnded(const QString &trial, std::vector<LiveRun> runs, const std::optional<TaskRecord> &task);
+    /// The recording is complete in the project.
+    void takeRecorded(const QString &trial, const QStringList &warnings);
+    /// There is no recording, and why.
+    void takeGivenUp(const QString &trial, const Error &error);
+    /// While somebody records, nothing is measured.
+    void setRecording(bool recording) { m_measuring->setRecording(recording); }
+
+Q_SIGNALS:
+    void changed(const QString &words); ///< the project has a new trial, or new figures of one
+    void failed(const odo::Error &error);
+
+private:
+    void show(const QString &trial, const std::vector<RunResultCard::Result> &results,
+              RunResultCard::From from);
+    void showFailure(const QString &trial, const QString &words);
+
+    RunMeasuring *m_measuring;
+    RunResultCard &m_card;
+};
+
+} // namespace odo

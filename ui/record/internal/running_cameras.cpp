@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/record/internal/running_cameras.h"
+
+#include "core/base/shortage.h"
+#include "core/capture/camera_source.h"
+#include "core/video/picture.h"
+#include "core/workflow/job_runner.h"
+#include "core/workflow/record/record_trial.h"
+#include "ui/views/picture/picture_painting.h"
+
+namespace odo {
+
+RunningCameras::RunningCameras(Open open, QObject *parent) : QObject(parent), m_open(std::move(open))
+{
+    if (auto painter = startThread({}, [this] { showPictures(); })) // else start() tells
+        m_painter = std::move(*painter);
+    m_worker.moveToThread(&m_thread);
+    m_thread.start();
+}
+
+RunningCameras::~RunningCameras()
+{
+    stop();
+    m_toShow.close();
+    if (m_painter.joinable())
+        m_painter.join();
+    m_thread.quit(); // what was asked for before is done first
+    m_thread.wait();
+}
+
+void RunningCameras::onWorker(std::function<void()> work)
+{
+    callLater(&m_worker, std::move(work));
+}
+
+void RunningCameras::start(std::vector<WantedCamera> cameras)
+{
+    stop();
+    if (!m_painter.joinable() || !m_thread.isRunning()) {
+        callLater(this, [this] { Q_EMIT failed(noThread("the cameras")); });
+        return;
+    }
+    m_cameras = std::move(cameras);
+    m_cameras.resize(std::min(m_cameras.size(), mostViews));
+    m_opening = true;
+    onWorker([this, wanted = m_cameras, generation = m_generation] {
+        const auto opened = std::make_shared<Sources>(openAll(wanted));
+        callLater(this, [this, generation, opened] { adopt(generation, opened); });
+    });
+}
+
+RunningCameras::Sources RunningCameras::openAll(const std::vector<WantedCamera> &cameras) const
+{
+    Sources sources;
+    for (const WantedCamera &camera : cameras) {
+        auto source = m_open(camera.uri);
+        if (source)
+            sources.push_back(std::move(*source));
+        else
+            sources.push_back(awaitCamera(camera.uri, source.error(),
+                                          [open = m_open, uri = camera.uri] { return open(uri); }));
+    }
+    return sources;
+}
+
+void RunningCameras::adopt(quint64 generation, const std::shared_ptr<Sources> &opened)
+{
+    if (generation != m_generation) {
+        onWorker([opened] { opened->clear(); }); // closing a camera may take its time
+        return;
+    }
+    m_opening = false;
+    for (std::size_t v = 0; v < m_cameras.size(); ++v) {
+        const CameraDescription &is = (*opened)[v]->description();
+        if (!m_cameras[v].floorView)
+            continue;
+        const Intrinsics &lens = m_cameras[v].floorView->camera().intrinsics();
+        if (is.widthPx > 0 && (is.widthPx != lens.widthPx || is.heightPx != lens.heightPx))
+            m_cameras[v].floorView.reset();
+    }
+    m_session = std::make_shared<CaptureSession>(std::move(*opened));
+    const Result<void> following = follow(std::move(m_robots));
+    Q_EMIT started();
+    if (!following)
+        Q_EMIT failed(following.error());
+}
+
+Result<void> RunningCameras::follow(std::vector<RobotRecord> robots)
+{
+    m_robots = std::move(robots);
+    if (!m_session)
+        return {};
+    ++m_generation; // what is on its way was seen of other robots
+    m_session->showRobots(appearancesOf(m_robots));
+    m_tracker.reset();
+    m_broadcast.reset();
+    Result<void> sending;
+    if (m_target && !m_robots.empty()) {
+        auto broadcast = LiveBroadcast::create(*m_target, m_robots);
+        if (broadcast)
+            m_broadcast = std::move(*broadcast);
+        else
+            sending = tl::unexpected(broadcast.error());
+    }
+    std::vector<LiveView> views;
+    for (const WantedCamera &camera : m_cameras)
+        views.push_back({camera.name, camera.floorView});
+    const auto subscribe = [this] {
+        std::vector<LiveTracker::Feed> feeds;
+        for (std::size_t v = 0; v < m_cameras.size(); ++v)
+            feeds.push_back(m_session->subscribeFrames(v, 2));
+        return feeds;
+    };
+    const LiveTracker::Listener listener{
+        [this](const LiveSight &sight) {
+            if (m_pace[sight.view].takes(sight.picture.taken) && !m_onItsWay[sight.view].exchange(true))
+                m_toShow.pushOrDrop(sight);
+        },
+        [this, generation = m_generation, broadcast = m_broadcast.get()](const LiveMoment &moment) {
+            if (broadcast)
+                broadcast->take(moment);
+            callLater(this, [this, generation, moment] {
+                if (generation == m_generation)
+                    Q_EMIT moved(moment);
+            });
+        }};
+    auto tracker = LiveTracker::create(views, m_robots, subscribe(), listener);
+    if (tracker) {
+        m_tracker = std::move(*tracker);
+        return sending;
+    }
+    if (auto pictures = LiveTracker::create(views, {}, subscribe(), listener)) // they are shown all the same
+        m_tracker = std::move(*pictures);
+    return tl::unexpected(tracker.error());
+}
+
+void RunningCameras::stop()
+{
+    ++m_generation;
+    m_opening = false;
+    m_tracker.reset();
+    m_broadcast.reset();
+    m_pace = {};
+    if (m_session)
+        onWorker([session = std::move(m_session)]() mutable { session.reset(); });
+    m_session.reset();
+}
+
+void RunningCameras::setShownSize(std::size_t view, const QSize &pixels)
+{
+    if (view < mostViews)
+        m_shownSize[view] = qint64(pixels.width()) << 32 | pixels.height();
+}
+
+/// The painter's thread.
+void RunningCameras::showPictures()
+{
+    while (const auto sight = m_toShow.pop()) {
+        const Frame &frame = sight->picture.captured.frame;
+        const qint64 shown = m_shownSize[sight->view];
+        const QSize taken(frame.format.width, frame.format.height);
+        const QSize size = taken.scaled(int(shown >> 32), int(shown & 0xffffffff), Qt::KeepAspectRatio);
+        if (size.isEmpty()) { // nobody looks
+            m_onItsWay[sight->view] = false;
+            continue;
+        }
+        LivePicture picture{sight->view, toImage(toScreen(frame, size.width(), size.height())), taken,
+                            sight->observations};
+        callLater(this, [this, picture] { deliver(picture); });
+    }
+}
+
+void RunningCameras::deliver(const LivePicture &picture)
+{
+    m_onItsWay[picture.view] = false;
+    if (m_session && picture.view < m_cameras.size())
+        Q_EMIT pictureReady(picture);
+}
+
+} // namespace odo

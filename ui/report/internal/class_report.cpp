@@ -1,0 +1,469 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/internal/class_report.h"
+
+#include "core/base/percentile.h"
+#include "core/project/class_repository.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/workflow/compare/trial_figures.h"
+#include "ui/models/results.h"
+#include "ui/models/shown_names.h"
+#include "ui/report/internal/report_painting.h"
+#include "ui/views/charts/chart_painting.h"
+#include "ui/views/charts/trend_painting.h"
+#include "ui/views/widgets/theme.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace odo {
+
+namespace {
+
+tl::unexpected<Error> notThere(const std::string &what, const std::vector<std::string> &there,
+                               const std::string &advice)
+{
+    std::string names;
+    for (const std::string &name : there)
+        names += (names.empty() ? "'" : ", '") + name + "'";
+    return fail(ErrorCode::NotFound, what,
+                names.empty() ? "the project has none" : "the project has " + names, advice);
+}
+
+Result<void> checkClass(Project &project, const std::string &name)
+{
+    const auto classes = project.classes().all();
+    if (!classes)
+        return tl::unexpected(classes.error());
+    std::vector<std::string> names;
+    for (const ClassRecord &each : *classes)
+        names.push_back(each.name);
+    if (std::ranges::find(names, name) == names.end())
+        return notThere("class '" + name + "'", names, "choose one of them, or make it in the workbench");
+    return {};
+}
+
+/// The task that most trials of the class have; empty: none has one.
+std::string usualTask(const std::vector<TrialRecord> &trials, const std::string &className)
+{
+    std::map<std::string, int> counts;
+    for (const TrialRecord &trial : trials)
+        if (!trial.task.empty() && countsIn(trial, className, {}))
+            ++counts[trial.task];
+    const auto most = std::ranges::max_element(counts, {}, [](const auto &each) { return each.second; });
+    return most == counts.end() ? std::string() : most->first;
+}
+
+/// The score where the task is scored, else what tells most of those that there are.
+Result<std::string> usualMetric(Project &project, const std::string &task)
+{
+    if (!task.empty()) {
+        const auto record = project.tasks().find(task);
+        if (!record)
+            return tl::unexpected(record.error());
+        const auto scoring = project.tasks().scoring(record->id);
+        if (!scoring)
+            return tl::unexpected(scoring.error());
+        if (!scoring->empty())
+            return std::string(scoreMetric);
+    }
+    const auto names = project.analyses().metricNames();
+    if (!names)
+        return tl::unexpected(names.error());
+    const std::vector<std::string> telling = tellingNames(*names);
+    return telling.empty() ? std::string() : telling.front();
+}
+
+} // namespace
+
+Result<ClassContentPtr> readClassContent(Project &project, const ClassReportSettings &settings)
+{
+    if (auto known = checkClass(project, settings.className); !known)
+        return tl::unexpected(known.error());
+    const auto all = project.trials().all();
+    if (!all)
+        return tl::unexpected(all.error());
+    auto content = std::make_shared<ClassContent>();
+    content->settings = settings;
+    ClassReportSettings &chosen = content->settings;
+    if (chosen.task.empty())
+        chosen.task = usualTask(*all, chosen.className);
+    else if (const auto task = project.tasks().find(chosen.task); !task)
+        return tl::unexpected(task.error());
+    if (chosen.metric.empty()) {
+        auto metric = usualMetric(project, chosen.task);
+        if (!metric)
+            return tl::unexpected(metric.error());
+        chosen.metric = std::move(*metric);
+    }
+    const auto figures = figuresOf(project, chosen.metric);
+    if (!figures)
+        return tl::unexpected(figures.error());
+    const auto otherwise = project.analyses().trialsMeasuredOtherwise();
+    if (!otherwise)
+        return tl::unexpected(otherwise.error());
+    const CountedTrials counted = countedTrials(*all, chosen.className, chosen.task, *otherwise);
+    content->trials = int(counted.trials.size()) + counted.leftOut;
+    content->leftOut = counted.leftOut;
+    content->standings =
+        standingsOf(counted.trials, *figures, {chosen.className, chosen.task, chosen.metric});
+    if (content->standings.teams.empty())
+        return fail(ErrorCode::NotFound, "report of class '" + chosen.className + "'",
+                    "none of its teams has a run with the figure '" + chosen.metric + "'" +
+                        (chosen.task.empty() ? "" : " in the task '" + chosen.task + "'"),
+                    "track its trials, or choose another task or figure");
+    return content;
+}
+
+namespace {
+
+constexpr double figuresHeight = 66, partTitleHeight = 21, scaleHeight = 16, partGap = 10, footHeight = 30;
+constexpr double leastRow = 17, mostRow = 25;
+
+class ClassReportWords
+{
+    Q_DECLARE_TR_FUNCTIONS(ClassReport)
+};
+
+QString teamName(const TeamStanding &team)
+{
+    return literalName(shownTeam(team.team, team.pseudonym));
+}
+
+FigureText figureOf(const Standings &standings, double value, std::optional<double> sigma = std::nullopt)
+{
+    Metric metric = standings.teams.front().runs.front().metric; // its name and unit
+    metric.value = value;
+    metric.sigma = sigma;
+    return metricFigure(metric);
+}
+
+QString medianText(const TeamStanding &team, const Standings &standings)
+{
+    const double sigma = team.figures.sigma;
+    return figureOf(standings, team.figures.median, sigma > 0 ? std::optional(sigma) : std::nullopt).text();
+}
+
+std::vector<double> allValues(const Standings &standings)
+{
+    std::vector<double> values;
+    for (const TeamStanding &team : standings.teams)
+        values.insert(values.end(), team.figures.values.begin(), team.figures.values.end());
+    return values;
+}
+
+double bestOf(const Standings &standings)
+{
+    const std::vector<double> values = allValues(standings);
+    return standings.isLessBetter ? std::ranges::min(values) : std::ranges::max(values);
+}
+
+/// How the columns of the ranking share the width.
+struct Columns
+{
+    double rank, team, runs, best, median, strip; ///< what is left is for the progress
+};
+constexpr Columns columnWidths{24, 122, 50, 76, 92, 160};
+
+/// The scale on which every run of the class is a dot.
+struct Strip
+{
+    QRectF rect; ///< over all rows
+    AxisTicks ticks;
+    double factor = 1; ///< of the unit that is shown, to one of the metric
+
+    double x(double value) const
+    {
+        const double low = ticks.first / factor, high = ticks.last() / factor;
+        return rect.left() + 6 + (value - low) / (high - low) * (rect.width() - 12);
+    }
+};
+
+/// What part of a ranking a page shows.
+struct RankingPart
+{
+    std::size_t from = 0, to = 0;
+    int page = 1, pages = 1;
+    double rowHeight = mostRow;
+};
+
+class ClassPage
+{
+public:
+    ClassPage(QPainter &painter, const ClassContent &content, const ReportOptions &options)
+        : m_painter(painter), m_content(content), m_standings(content.standings), m_options(options),
+          m_colours(ThemeColours::of(reportPalette()))
+    {
+    }
+    void paintRanking(const QRectF &sheet, const RankingPart &part);
+    void paintTeam(const QRectF &sheet, std::size_t index);
+
+private:
+    QRectF paintFrame(const QRectF &sheet, const QString &title, const QStringList &facts, int page,
+                      int pages);
+    void paintClassFigures(const QRectF &rect);
+    void paintScale(const Strip &strip, double top);
+    void paintRow(const QRectF &row, const TeamStanding &team, const Strip &strip);
+    void paintRuns(const QRectF &rect, const TeamStanding &team);
+    Strip stripIn(const QRectF &rect) const;
+    QStringList classFacts() const;
+
+    QPainter &m_painter;
+    const ClassContent &m_content;
+    const Standings &m_standings;
+    const ReportOptions &m_options;
+    ThemeColours m_colours;
+};
+
+QRectF ClassPage::paintFrame(const QRectF &sheet, const QString &title, const QStringList &facts, int page,
+                             int pages)
+{
+    QStringList foot(ClassReportWords::tr(
+        "Rank: one more than the number of teams that are better beyond doubt (medians apart by more "
+        "than 1.96 σ); teams of one rank cannot be told apart."));
+    if (m_content.leftOut > 0)
+        foot << ClassReportWords::tr("%n trial(s) left out: measured by another course; measure them again.",
+                                     "", m_content.leftOut);
+    foot << (pages > 1 ? ClassReportWords::tr("Page %1 of %2 · Odograph %3")
+                             .arg(page)
+                             .arg(pages)
+                             .arg(QStringLiteral(ODOGRAPH_VERSION))
+                       : ClassReportWords::tr("Odograph %1").arg(QStringLiteral(ODOGRAPH_VERSION)));
+    return drawFoot(m_painter, drawHead(m_painter, sheet, m_options.letterhead, title, facts),
+                    m_options.letterhead, foot);
+}
+
+QStringList ClassPage::classFacts() const
+{
+    QStringList facts;
+    if (!m_standings.choice.task.empty())
+        facts << ClassReportWords::tr("Task: %1").arg(literalName(m_standings.choice.task));
+    facts << ClassReportWords::tr("by %1").arg(metricName(m_standings.choice.metric));
+    Instant first = Instant::max(), last = Instant::min();
+    for (const TeamStanding &team : m_standings.teams) {
+        first = std::min(first, team.runs.front().date);
+        last = std::max(last, team.runs.back().date);
+    }
+    const QString from = reportDay(first), to = reportDay(last);
+    facts << (from == to ? from : ClassReportWords::tr("%1 to %2").arg(from, to));
+    return facts;
+}
+
+void ClassPage::paintClassFigures(const QRectF &rect)
+{
+    std::vector<double> values = allValues(m_standings);
+    const auto number = [](int count) { return FigureText{QLocale().toString(count), {}, {}}; };
+    QList<ReportFigure> figures;
+    figures << ReportFigure{ClassReportWords::tr("Teams"), number(int(m_standings.teams.size())), {}}
+            << ReportFigure{ClassReportWords::tr("Trials"), number(int(values.size())),
+                            m_content.trials > int(values.size())
+                                ? ClassReportWords::tr("of %1").arg(m_content.trials)
+                                : QString()}
+            << ReportFigure{ClassReportWords::tr("Best"), figureOf(m_standings, bestOf(m_standings)), {}}
+            << ReportFigure{
+                   ClassReportWords::tr("Median of all runs"), figureOf(m_standings, median(values)), {}};
+    constexpr std::size_t leastForQuartiles = 4;
+    std::ranges::sort(values);
+    const auto quartile = [&](double part) {
+        return values[std::size_t(std::lround(part * double(values.size() - 1)))];
+    };
+    if (values.size() >= leastForQuartiles)
+        figures << ReportFigure{ClassReportWords::tr("Middle half of the runs"),
+                                figureOf(m_standings, quartile(0.75) - quartile(0.25)),
+                                ClassReportWords::tr("%1 to %2")
+                                    .arg(figureOf(m_standings, quartile(0.25)).value,
+                                         figureOf(m_standings, quartile(0.75)).text())};
+    drawFigures(m_painter, rect, figures);
+}
+
+Strip ClassPage::stripIn(const QRectF &rect) const
+{
+    constexpr int mostTicks = 5;
+    const std::vector<double> values = allValues(m_standings);
+    const auto [low, high] = std::ranges::minmax(values);
+    const double factor = metricUnit(m_standings.teams.front().runs.front().metric).perSi;
+    const double least = std::max(1e-9, (high - low) * factor);
+    return {rect, coveringTicks(low * factor, low * factor + least, mostTicks), factor};
+}
+
+void ClassPage::paintScale(const Strip &strip, double top)
+{
+    for (const double tick : strip.ticks.values()) {
+        const double x = strip.x(tick / strip.factor);
+        m_painter.setPen(QPen(m_colours.grid, 0.7));
+        m_painter.drawLine(QPointF(x, strip.rect.top()), QPointF(x, strip.rect.bottom()));
+        drawLine(m_painter, QRectF(x - 30, top, 60, scaleHeight), strip.ticks.label(tick),
+                 reportFont(smallSize), m_colours.muted, Qt::AlignCenter);
+    }
+}
+
+void ClassPage::paintRow(const QRectF &row, const TeamStanding &team, const Strip &strip)
+{
+    constexpr double radius = 2.6;
+    const QFont font = reportFont(smallSize + 1);
+    double left = row.left();
+    const auto cell = [&](double width, const QString &text, Qt::Alignment side,
+                          QFont::Weight weight = QFont::Normal) {
+        drawLine(m_painter, QRectF(left + 2, row.top(), width - 8, row.height()), text,
+                 weight == QFont::Normal ? font : reportFont(smallSize + 1, weight), m_colours.text,
+                 side | Qt::AlignVCenter);
+        left += width;
+    };
+    cell(columnWidths.rank,
+         m_standings.isRanked() ? QLocale().toString(team.figures.rank) : QStringLiteral("–"), Qt::AlignRight,
+         QFont::DemiBold);
+    cell(columnWidths.team, teamName(team), Qt::AlignLeft);
+    cell(columnWidths.runs, QLocale().toString(int(team.runs.size())), Qt::AlignRight);
+    cell(columnWidths.best, figureOf(m_standings, team.progress.best).text(), Qt::AlignRight);
+    cell(columnWidths.median, medianText(team, m_standings), Qt::AlignRight);
+    const double middle = row.center().y();
+    m_painter.setRenderHint(QPainter::Antialiasing);
+    m_painter.setPen(QPen(m_colours.card, 0.7));
+    m_painter.setBrush(m_colours.point);
+    for (const double value : team.figures.values)
+        m_painter.drawEllipse(QPointF(strip.x(value), middle), radius, radius);
+    m_painter.setPen(QPen(m_colours.text, 2));
+    const double at = strip.x(team.figures.median);
+    m_painter.drawLine(QPointF(at, middle - row.height() * 0.32), QPointF(at, middle + row.height() * 0.32));
+    left += columnWidths.strip;
+    drawLine(m_painter, QRectF(left + 8, row.top(), row.right() - left - 8, row.height()),
+             progressText(team, m_standings), reportFont(smallSize), m_colours.muted);
+}
+
+void ClassPage::paintRanking(const QRectF &sheet, const RankingPart &part)
+{
+    QRectF room =
+        paintFrame(sheet, literalName(m_standings.choice.className), classFacts(), part.page, part.pages);
+    if (part.page == 1) {
+        paintClassFigures(QRectF(room.left(), room.top(), room.width(), figuresHeight));
+        room.setTop(room.top() + figuresHeight + partGap);
+    }
+    room = drawPartTitle(m_painter, room, ClassReportWords::tr("The teams"),
+                         ClassReportWords::tr("each run is a dot; the line is the median of the team"));
+    const Columns &w = columnWidths;
+    constexpr double stripGap = 14; // so that the scale keeps off the word before it
+    const double stripLeft = room.left() + stripGap + w.rank + w.team + w.runs + w.best + w.median;
+    const double rows = part.rowHeight * double(part.to - part.from);
+    const Strip strip = stripIn(QRectF(stripLeft, room.top() + scaleHeight, w.strip - stripGap, rows));
+    paintScale(strip, room.top());
+    double left = room.left();
+    const auto head = [&](double width, const QString &text, Qt::Alignment side) {
+        drawLine(m_painter, QRectF(left + 2, room.top(), width - 8, scaleHeight), text, reportFont(smallSize),
+                 m_colours.muted, side | Qt::AlignVCenter);
+        left += width;
+    };
+    head(w.rank, ClassReportWords::tr("#"), Qt::AlignRight);
+    head(w.team, ClassReportWords::tr("Team"), Qt::AlignLeft);
+    head(w.runs, ClassReportWords::tr("Trials"), Qt::AlignRight);
+    head(w.best, ClassReportWords::tr("Best"), Qt::AlignRight);
+    head(w.median, ClassReportWords::tr("Median"), Qt::AlignRight);
+    left += w.strip + 6;
+    head(room.right() - left, ClassReportWords::tr("Through the term"), Qt::AlignLeft);
+    double top = room.top() + scaleHeight;
+    for (std::size_t team = part.from; team < part.to; ++team) {
+        m_painter.setPen(QPen(m_colours.grid, 0.7));
+        m_painter.drawLine(QPointF(room.left(), top), QPointF(room.right(), top));
+        paintRow(QRectF(room.left(), top, room.width(), part.rowHeight), m_standings.teams[team], strip);
+        top += part.rowHeight;
+    }
+}
+
+/// Every run of a team, the newest below; in two columns where they are many.
+void ClassPage::paintRuns(const QRectF &rect, const TeamStanding &team)
+{
+    QRectF room = drawPartTitle(m_painter, rect, ClassReportWords::tr("Its trials"));
+    ReportTable table;
+    table.weights = {0.3, 0.42, 0.28};
+    table.alignments = {Qt::AlignLeft, Qt::AlignLeft, Qt::AlignRight};
+    table.header = {ClassReportWords::tr("Date"), ClassReportWords::tr("Trial"),
+                    metricName(m_standings.choice.metric)};
+    const auto perColumn = std::size_t(std::max(1.0, room.height() / table.rowHeight - 1));
+    const bool isWide = team.runs.size() > perColumn;
+    const double width = isWide ? (room.width() - 20) / 2 : room.width() * 0.7;
+    for (std::size_t column = 0; column < (isWide ? 2 : 1); ++column) {
+        table.rows.clear();
+        const std::size_t end = column == 1 || !isWide ? team.runs.size() : perColumn;
+        for (std::size_t i = column * perColumn; i < end; ++i)
+            table.rows << ReportTable::Row{{reportDate(team.runs[i].date), literalName(team.runs[i].trial),
+                                            metricFigure(team.runs[i].metric).text()},
+                                           false,
+                                           team.runs[i].metric.value == team.progress.best};
+        drawTable(m_painter,
+                  QRectF(room.left() + double(column) * (width + 20), room.top(), width, room.height()),
+                  table);
+    }
+}
+
+void ClassPage::paintTeam(const QRectF &sheet, std::size_t index)
+{
+    constexpr double trendHeight = 260;
+    const TeamStanding &team = m_standings.teams[index];
+    QStringList facts(ClassReportWords::tr("Class: %1").arg(literalName(m_standings.choice.className)));
+    QRectF room = paintFrame(sheet, teamName(team), facts + classFacts(), 1, 1);
+    QList<ReportFigure> figures;
+    if (m_standings.isRanked())
+        figures << ReportFigure{ClassReportWords::tr("Rank"),
+                                {QLocale().toString(team.figures.rank), {}, {}},
+                                ClassReportWords::tr("of %n team(s)", "", int(m_standings.teams.size()))};
+    figures << ReportFigure{ClassReportWords::tr("Best"), figureOf(m_standings, team.progress.best), {}};
+    const double sigma = team.figures.sigma;
+    figures << ReportFigure{
+        ClassReportWords::tr("Median"),
+        figureOf(m_standings, team.figures.median, sigma > 0 ? std::optional(sigma) : std::nullopt),
+        ClassReportWords::tr("class median %1")
+            .arg(figureOf(m_standings, median(allValues(m_standings))).text())};
+    if (team.progress.spread)
+        figures << ReportFigure{
+            ClassReportWords::tr("Spread of one run"), figureOf(m_standings, *team.progress.spread), {}};
+    drawFigures(m_painter, QRectF(room.left(), room.top(), room.width(), figuresHeight), figures);
+    room.setTop(room.top() + figuresHeight + partGap);
+    const QRectF trend =
+        drawPartTitle(m_painter, QRectF(room.left(), room.top(), room.width(), trendHeight),
+                      ClassReportWords::tr("Through the term"), progressText(team, m_standings));
+    m_painter.setFont(reportFont(smallSize));
+    drawTrend(m_painter, trend, team, reportPalette());
+    room.setTop(room.top() + trendHeight + partGap);
+    paintRuns(room, team);
+}
+
+/// As many rows as a page has room for at a height between the least and the most.
+std::vector<RankingPart> partsOf(std::size_t teams, const PageFormat &format, const Letterhead &letterhead)
+{
+    const double head = 70, foot = 12.0 * (letterhead.remark.isEmpty() ? 3 : 4) + 10;
+    const double later = format.content().height() - head - foot - partTitleHeight - scaleHeight,
+                 first = later - figuresHeight - partGap;
+    const double wanted = std::clamp(first / double(teams), leastRow, mostRow);
+    const auto fits = [wanted](double room) { return std::size_t(room / wanted + 1e-6); };
+    std::vector<RankingPart> parts;
+    for (std::size_t from = 0; from < teams;) {
+        const std::size_t to = std::min(teams, from + fits(parts.empty() ? first : later));
+        parts.push_back({from, to, int(parts.size()) + 1, 1, wanted});
+        from = to;
+    }
+    for (RankingPart &part : parts)
+        part.pages = int(parts.size());
+    return parts;
+}
+
+} // namespace
+
+ReportPages classPages(const ClassContentPtr &content, const ReportOptions &options)
+{
+    const PageFormat format{options.paper, false};
+    ReportPages pages;
+    for (const RankingPart &part : partsOf(content->standings.teams.size(), format, options.letterhead))
+        pages.push_back({format, [content, options, format, part](QPainter &painter) {
+                             ClassPage(painter, *content, options).paintRanking(format.content(), part);
+                         }});
+    for (std::size_t team = 0; content->settings.withTeams && team < content->standings.teams.size(); ++team)
+        pages.push_back({format, [content, options, format, team](QPainter &painter) {
+                             ClassPage(painter, *content, options).paintTeam(format.content(), team);
+                         }});
+    return pages;
+}
+
+} // namespace odo

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/internal/report_maker.h"
+
+#include "core/project/project.h"
+#include "ui/models/comparison_scene.h"
+#include "ui/report/internal/class_report.h"
+#include "ui/report/internal/comparison_report.h"
+
+namespace odo {
+
+namespace {
+
+Result<void> give(const ReportPages &pages, const PageSink &sink, const JobControl &control)
+{
+    for (const ReportPage &page : pages) {
+        if (control.isCancelled())
+            return cancelled("report");
+        if (auto taken = sink(page); !taken)
+            return taken;
+    }
+    return {};
+}
+
+} // namespace
+
+ReportMaker trialReports(std::vector<std::string> trials, const ReportOptions &options)
+{
+    return [trials = std::move(trials), options](Project &project, const JobControl &control,
+                                                 const PageSink &sink) -> Result<void> {
+        constexpr std::size_t few = 12;
+        TrialContentReader reader(project,
+                                  trials.size() > few ? StillMoment::KeyFrame : StillMoment::TopSpeed);
+        for (std::size_t i = 0; i < trials.size(); ++i) {
+            if (control.isCancelled())
+                return cancelled("report");
+            control.report(double(i) / double(trials.size()), trials[i]);
+            const auto content = reader.read(trials[i], control.cancel);
+            if (!content)
+                return tl::unexpected(content.error());
+            if (auto given = give(trialPages(*content, options), sink, control); !given)
+                return given;
+        }
+        return {};
+    };
+}
+
+ReportMaker comparisonReport(CompareSettings settings, const ReportOptions &options)
+{
+    return [settings = std::move(settings), options](Project &project, const JobControl &control,
+                                                     const PageSink &sink) -> Result<void> {
+        control.report(0, {});
+        const auto scene = loadComparisonScene(project, settings);
+        if (!scene)
+            return tl::unexpected(scene.error());
+        return give(comparisonPages(*scene, options), sink, control);
+    };
+}
+
+ReportMaker classReport(ClassReportSettings settings, const ReportOptions &options)
+{
+    return [settings = std::move(settings), options](Project &project, const JobControl &control,
+                                                     const PageSink &sink) -> Result<void> {
+        control.report(0, settings.className);
+        const auto content = readClassContent(project, settings);
+        if (!content)
+            return tl::unexpected(content.error());
+        if (control.isCancelled())
+            return cancelled("report");
+        return give(classPages(*content, options), sink, control);
+    };
+}
+
+ReportMaker inTurn(std::vector<ReportMaker> makers)
+{
+    return [makers = std::move(makers)](Project &project, const JobControl &control,
+                                        const PageSink &sink) -> Result<void> {
+        for (std::size_t i = 0; i < makers.size(); ++i) {
+            const JobControl part{control.cancel, [&](double fraction, const std::string &text) {
+                                      control.report((double(i) + fraction) / double(makers.size()), text);
+                                  }};
+            if (auto made = makers[i](project, part, sink); !made)
+                return made;
+        }
+        return {};
+    };
+}
+
+} // namespace odo

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/analysis/profile.h"
+#include "core/analysis/quantity_curve.h"
+#include "ui/models/comparison_scene.h"
+#include "ui/models/trial_scene.h"
+
+#include <QRectF>
+#include <QString>
+#include <vector>
+
+class QPainter;
+
+namespace odo {
+
+/// Something of a run that a report names: its number stands on the map, on the charts and in a list.
+struct RunEvent
+{
+    enum class Kind { Motion, Gate, TopSpeed, Spike };
+    Kind kind = Kind::Motion;
+    int number = 0; ///< from 1
+    Nanoseconds time{0};
+    Nanoseconds until{0};     ///< of spikes in a row the last one's; else as time
+    Eigen::Vector2d position; ///< on the floor
+    QString words;
+};
+
+/// Start and end of the motion, the gates passed, the top speed, and the spikes (those in a row as one), in
+/// the order of time. Where that is more than `most`, spikes are left out first, those of the fewest samples
+/// before others, then gates.
+std::vector<RunEvent> runEvents(const Profile &profile, std::size_t most);
+
+/// A curve of a run against the time, with its ±95 % band, the measured points beneath, spikes as triangles
+/// and hatched, and the events' numbers above; with title. Painted by what the charts of the screen are
+/// painted by.
+void drawRunChart(QPainter &painter, const QRectF &rect, const Profile &profile, Quantity quantity,
+                  const std::vector<RunEvent> &events);
+
+/// The number of an event in a disc, of a spike in a square, so that they differ without colour.
+void drawEventNumber(QPainter &painter, const QPointF &centre, const RunEvent &event);
+constexpr double eventNumberRadius = 6.5;
+
+/// The floor from above with a robot's way coloured by speed, the gates and the course of the task, spikes,
+/// and the events' numbers; the ways of other robots are thin and grey. Painted by what the map of the screen
+/// is painted by, without the floor's picture: paper stays light.
+void drawRunMap(QPainter &painter, const QRectF &rect, const TrialScene &scene, std::size_t robot,
+                const std::vector<RunEvent> &events);
+
+/// The ways of these runs in their colours and dashes, with the gates across the common path.
+void drawComparedMap(QPainter &painter, const QRectF &rect, const ComparisonScene &scene,
+                     const std::vector<std::size_t> &runs);
+
+} // namespace odo

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/report_output.h"
+
+#include "core/project/project.h"
+
+#include <QPageSize>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QPrinter>
+#include <algorithm>
+
+namespace odo {
+
+namespace {
+
+constexpr int dotsPerInch = 1200; // lines are vectors; this is the grid of their ends
+
+QPageLayout layoutOf(const PageFormat &format)
+{
+    return {QPageSize(format.paper == Paper::Letter ? QPageSize::Letter : QPageSize::A4),
+            format.isLandscape ? QPageLayout::Landscape : QPageLayout::Portrait, QMarginsF(0, 0, 0, 0)};
+}
+
+} // namespace
+
+PdfFile::PdfFile(OutputTarget target, const QString &title) : m_target(std::move(target)), m_title(title) {}
+
+PdfFile::~PdfFile() = default;
+
+Result<void> PdfFile::begin(const PageFormat &format)
+{
+    auto opened = OutputFile::open(m_target, FileKind::Pdf);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    m_output = std::move(*opened);
+    if (!m_file.open(m_output->descriptor(), QIODevice::WriteOnly))
+        return m_output->failure(m_file.errorString().toStdString());
+    m_writer = std::make_unique<QPdfWriter>(&m_file);
+    m_writer->setTitle(m_title);
+    m_writer->setCreator(QStringLiteral("Odograph " ODOGRAPH_VERSION));
+    m_writer->setResolution(dotsPerInch);
+    m_writer->setPageLayout(layoutOf(format));
+    m_painter = std::make_unique<QPainter>(m_writer.get());
+    return {};
+}
+
+Result<void> PdfFile::add(const ReportPage &page)
+{
+    if (!m_writer) {
+        if (auto begun = begin(page.format); !begun)
+            return begun;
+    } else {
+        m_writer->setPageLayout(layoutOf(page.format));
+        m_writer->newPage();
+    }
+    m_painter->save();
+    m_painter->setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
+    m_painter->scale(dotsPerInch / PageFormat::unitsPerInch, dotsPerInch / PageFormat::unitsPerInch);
+    page.paint(*m_painter);
+    m_painter->restore();
+    if (m_file.error() != QFileDevice::NoError)
+        return m_output->failure(m_file.errorString().toStdString());
+    return {};
+}
+
+Result<void> PdfFile::finish()
+{
+    if (!m_writer)
+        return fail(ErrorCode::InvalidInput, "report '" + m_target.file.string() + "'", "it has no page",
+                    "choose a trial or a class");
+    m_painter->end();
+    m_painter.reset();
+    m_writer.reset();
+    if (!m_file.flush() || m_file.error() != QFileDevice::NoError)
+        return m_output->failure(m_file.errorString().toStdString());
+    m_file.close();
+    return m_output->commit();
+}
+
+namespace {
+
+tl::unexpected<Error> failure(const QPrinter &printer, const char *why)
+{
+    return fail(ErrorCode::Io, "printing on '" + printer.printerName().toStdString() + "'", why,
+                "look at the printer and its queue, or save the report as PDF");
+}
+
+} // namespace
+
+PrintedPages::PrintedPages(std::unique_ptr<QPrinter> printer) : m_printer(std::move(printer)) {}
+
+PrintedPages::~PrintedPages()
+{
+    if (m_painter)
+        m_printer->abort();
+}
+
+Result<void> PrintedPages::add(const ReportPage &page)
+{
+    m_printer->setPageOrientation(page.format.isLandscape ? QPageLayout::Landscape : QPageLayout::Portrait);
+    if (m_painter) {
+        if (!m_printer->newPage())
+            return failure(*m_printer, "it takes no further page");
+    } else {
+        m_painter = std::make_unique<QPainter>();
+        if (!m_painter->begin(m_printer.get())) {
+            m_painter.reset();
+            return failure(*m_printer, "it cannot be reached");
+        }
+    }
+    // The margins of the page are wider than those of printers: sheet lies on sheet where it has room.
+    const QSizeF sheet = page.format.size();
+    const QRectF paper = m_printer->paperRect(QPrinter::DevicePixel),
+                 printable = m_printer->pageRect(QPrinter::DevicePixel);
+    const double scale = std::min(paper.width() / sheet.width(), paper.height() / sheet.height());
+    m_painter->save();
+    m_painter->setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
+    m_painter->translate(paper.topLeft() - printable.topLeft());
+    m_painter->scale(scale, scale);
+    page.paint(*m_painter);
+    m_painter->restore();
+    return {};
+}
+
+Result<void> PrintedPages::finish()
+{
+    if (!m_painter)
+        return fail(ErrorCode::InvalidInput, "report", "it has no page", "choose a trial or a class");
+    const bool isPrinted = m_painter->end();
+    m_painter.reset();
+    return isPrinted ? Result<void>() : failure(*m_printer, "it did not take the pages");
+}
+
+ReportJob::ReportJob(ReportMaker maker, std::unique_ptr<PageOutput> output)
+    : m_maker(std::move(maker)), m_output(std::move(output))
+{
+}
+
+Result<void> ReportJob::prepare(Project &project)
+{
+    m_project = project.file();
+    return {};
+}
+
+Result<void> ReportJob::run(const JobControl &control)
+{
+    const auto project = Project::openAgain(m_project, Project::Access::ReadOnly);
+    if (!project)
+        return tl::unexpected(project.error());
+    // gone with what it holds, however this ends
+    const std::unique_ptr<PageOutput> output = std::move(m_output);
+    auto made = m_maker(**project, control, [&](const ReportPage &page) -> Result<void> {
+        ++m_pageCount;
+        return output->add(page);
+    });
+    if (!made)
+        return made;
+    if (control.isCancelled())
+        return cancelled("report");
+    return output->finish();
+}
+
+Result<void> ReportJob::commit(Project &)
+{
+    return {};
+}
+
+} // namespace odo

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/review/corrections.h"
+
+#include "core/tracking/colour_tracker.h"
+#include "ui/models/timeline.h"
+
+#include <QAction>
+#include <QMenu>
+#include <algorithm>
+
+namespace odo {
+
+RobotPointing::RobotPointing(Timeline &timeline, QObject *parent)
+    : QObject(parent), m_timeline(timeline), m_action(new QAction(tr("&Point out a robot"), this))
+{
+    m_action->setObjectName(QStringLiteral("pointOutRobot"));
+    m_action->setCheckable(true);
+    m_action->setShortcut(Qt::Key_P);
+    m_action->setToolTip(
+        tr("The wrong thing is outlined: click the robot in a picture, and the trial is tracked again (%1)")
+            .arg(m_action->shortcut().toString(QKeySequence::NativeText)));
+    m_action->setEnabled(false);
+    connect(m_action, &QAction::toggled, &m_timeline, &Timeline::pause);
+}
+
+RobotPointing::~RobotPointing() = default;
+
+void RobotPointing::setScene(TrialScenePtr scene)
+{
+    m_scene = std::move(scene);
+    m_action->setEnabled(!robots().empty());
+    m_action->setChecked(false);
+}
+
+/// Those that are found by their look may be something else.
+std::vector<std::string> RobotPointing::robots() const
+{
+    std::vector<std::string> names;
+    if (!m_scene || !m_scene->imported.empty())
+        return names;
+    for (const SceneRobot &one : m_scene->robots)
+        if (!isFoundByColour({one.robot.name, one.robot.colour}))
+            names.push_back(one.robot.name);
+    return names;
+}
+
+bool RobotPointing::isPointedOut(const std::string &robot) const
+{
+    return std::ranges::any_of(m_scene->robots, [&](const SceneRobot &one) {
+        return one.robot.name == robot &&
+               std::ranges::find(m_scene->pointedOut, one.robot.id, &PointedOutRobot::robot) !=
+                   m_scene->pointedOut.end();
+    });
+}
+
+void RobotPointing::fill(QMenu &menu, std::size_t view, const QPointF &pixel)
+{
+    const std::vector<std::string> all = robots();
+    if (all.empty() || view >= m_scene->views.size())
+        return;
+    const auto shown = [](const std::string &robot) {
+        return QString::fromStdString(robot).replace(u'&', QStringLiteral("&&"));
+    };
+    for (const std::string &robot : all) {
+        const RobotPointer pointer{
+            robot, m_scene->views[view].camera, toSeconds(m_timeline.currentTime()), {pixel.x(), pixel.y()}};
+        connect(menu.addAction(tr("This is %1: track it again").arg(shown(robot))), &QAction::triggered, this,
+                [this, pointer] { say(pointer); });
+    }
+    menu.addSeparator();
+    for (const std::string &robot : all)
+        if (isPointedOut(robot))
+            connect(menu.addAction(tr("Find %1 without help").arg(shown(robot))), &QAction::triggered, this,
+                    [this, robot] { say({robot}); });
+}
+
+void RobotPointing::ask(std::size_t view, const QPointF &pixel, const QPoint &global)
+{
+    m_timeline.pause();
+    QMenu menu;
+    fill(menu, view, pixel);
+    if (!menu.isEmpty())
+        menu.exec(global);
+}
+
+void RobotPointing::say(RobotPointer pointer)
+{
+    m_action->setChecked(false);
+    Q_EMIT said(QString::fromStdString(m_scene->trial.name), pointer);
+}
+
+SpikeActions::SpikeActions(Timeline &timeline, QObject *parent)
+    : QObject(parent), m_timeline(timeline),
+      m_use(add("useSample", tr("&Use sample"),
+                tr("What was measured at this moment is right and is to be used, whatever speaks against it"),
+                Qt::Key_U, OverruleRequest::Word::Valid)),
+      m_spike(add("markSpike", tr("Mark as &spike"),
+                  tr("What was measured at this moment is wrong and is not to be used"), Qt::Key_X,
+                  OverruleRequest::Word::Spike)),
+      m_leave(add("leaveSample", tr("&Automatic"), tr("Takes back what was said by hand at this moment"),
+                  Qt::Key_Backspace, OverruleRequest::Word::Clear))
+{
+    connect(&m_timeline, &Timeline::currentChanged, this, &SpikeActions::update);
+    update();
+}
+
+QAction *SpikeActions::add(const char *name, const QString &text, const QString &toolTip,
+                           const QKeySequence &key, OverruleRequest::Word word)
+{
+    auto *action = new QAction(text, this);
+    action->setObjectName(QString::fromLatin1(name));
+    action->setToolTip(QStringLiteral("%1 (%2)").arg(toolTip, key.toString(QKeySequence::NativeText)));
+    action->setShortcut(key);
+    connect(action, &QAction::triggered, this, [this, word] { say(word); });
+    m_actions << action;
+    return action;
+}
+
+void SpikeActions::setScene(TrialScenePtr scene)
+{
+    const bool sameTrial = m_scene && scene && m_scene->trial.id == scene->trial.id;
+    m_scene = std::move(scene);
+    if (!sameTrial || m_robot >= m_scene->robots.size())
+        m_robot = 0;
+    update();
+}
+
+void SpikeActions::setRobot(std::size_t robot)
+{
+    m_robot = robot;
+    update();
+}
+
+/// Null where nothing was measured that could be judged.
+const Sample *SpikeActions::sample() const
+{
+    if (!m_scene || m_robot >= m_scene->robots.size() || !m_scene->robots[m_robot].analysis)
+        return nullptr;
+    const auto &samples = m_scene->robots[m_robot].analysis->profile.samples;
+    const auto found =
+        std::ranges::lower_bound(samples, std::int64_t(m_timeline.currentFrame()), {}, &Sample::frame);
+    const bool isThere =
+        found != samples.end() && found->frame == m_timeline.currentFrame() && found->position;
+    return isThere ? &*found : nullptr;
+}
+
+void SpikeActions::update()
+{
+    const Sample *here = sample();
+    m_use->setEnabled(here && isRejected(here->flags));
+    m_spike->setEnabled(here && !isRejected(here->flags));
+    m_leave->setEnabled(here && hasFlag(here->flags, SampleFlag::ByHand));
+}
+
+void SpikeActions::say(OverruleRequest::Word word)
+{
+    const Sample *here = sample();
+    if (!here)
+        return;
+    m_timeline.pause();
+    Q_EMIT said({m_scene->trial.name, m_scene->robots[m_robot].robot.name, std::nullopt, here->frame, word});
+}
+
+} // namespace odo

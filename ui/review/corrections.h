@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/workflow/track/reanalysis.h"
+#include "core/workflow/track/track_job.h"
+#include "ui/models/trial_scene.h"
+
+#include <QList>
+#include <QObject>
+
+class QAction;
+class QMenu;
+class QPoint;
+class QPointF;
+
+namespace odo {
+
+class Timeline;
+
+/// Where the tracker took something else for a robot of any look, a person points the robot out in a picture:
+/// by a click after the action, or by the mouse's menu at any time. Who is asked tracks the trial again.
+class RobotPointing : public QObject
+{
+    Q_OBJECT
+public:
+    explicit RobotPointing(Timeline &timeline, QObject *parent = nullptr);
+    ~RobotPointing() override;
+
+    void setScene(TrialScenePtr scene);
+    QAction *action() const { return m_action; } ///< checked while a click is waited for
+    /// What may be said of a pixel of a view's recording at the present time; empty: nothing, for no robot is
+    /// of any look.
+    void fill(QMenu &menu, std::size_t view, const QPointF &pixel);
+    /// Asks with that menu.
+    void ask(std::size_t view, const QPointF &pixel, const QPoint &global);
+
+Q_SIGNALS:
+    void said(const QString &trial, const odo::RobotPointer &pointer);
+
+private:
+    std::vector<std::string> robots() const;
+    bool isPointedOut(const std::string &robot) const;
+    void say(RobotPointer pointer);
+
+    Timeline &m_timeline;
+    TrialScenePtr m_scene;
+    QAction *m_action;
+};
+
+/// What a person can say about the sample under the cursor: that it is to be used, that it is a spike, or
+/// that the program is to decide. Owns the actions; who is asked stores the word and analyses again.
+class SpikeActions : public QObject
+{
+    Q_OBJECT
+public:
+    explicit SpikeActions(Timeline &timeline, QObject *parent = nullptr);
+
+    void setScene(TrialScenePtr scene);
+    /// The robot that is meant where a trial has several; an index into TrialScene::robots.
+    void setRobot(std::size_t robot);
+    const QList<QAction *> &actions() const { return m_actions; }
+
+Q_SIGNALS:
+    void said(const odo::OverruleRequest &word);
+
+private:
+    QAction *add(const char *name, const QString &text, const QString &toolTip, const QKeySequence &key,
+                 OverruleRequest::Word word);
+    void say(OverruleRequest::Word word);
+    void update();
+    const Sample *sample() const;
+
+    Timeline &m_timeline;
+    TrialScenePtr m_scene;
+    std::size_t m_robot = 0;
+    QList<QAction *> m_actions;
+    QAction *m_use, *m_spike, *m_leave;
+};
+
+} // namespace odo

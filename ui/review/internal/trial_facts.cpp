@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/review/internal/trial_facts.h"
+
+#include "core/analysis/gate_passages.h"
+#include "core/base/file_system.h"
+#include "core/workflow/track/track_warnings.h"
+#include "ui/models/core_words.h"
+#include "ui/models/explanation.h"
+#include "ui/models/figure_text.h"
+#include "ui/models/results.h"
+#include "ui/models/shown_names.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
+#include <QStringList>
+#include <filesystem>
+#include <optional>
+
+namespace odo {
+
+/// "How was this computed?" of the facts of a trial's card that are measured.
+
+/// The times at which a robot passed the gates.
+Explanation explainPassages(const TrialScene &scene, std::size_t robot, const QString &value);
+/// A whole lap, or run from start to finish.
+Explanation explainLap(const TrialScene &scene, std::size_t robot, const Lap &lap, const QString &what);
+/// Several figures of one kind beneath one another: those whose names begin so ("cross_track", "zone_").
+Explanation explainFigures(const TrialScene &scene, std::size_t robot, const QString &what,
+                           const QString &value, const std::string &stem);
+/// How a view was put in step with the first; nullopt: it was told, or taken as begun together, and nothing
+/// was computed.
+std::optional<Explanation> explainStep(const SceneView &view, const QString &value);
+/// The robot's height; nullopt: it was told.
+std::optional<Explanation> explainHeight(const TrialScene &scene, std::size_t robot);
+
+namespace {
+
+class FactExplanationsWords
+{
+    Q_DECLARE_TR_FUNCTIONS(FactExplanations)
+};
+
+struct StepWords
+{
+    QString formula, uncertainty;
+};
+
+/// As core/synchronisation/internal/clip_synchronisation.h and flash_synchronisation.h have it.
+std::optional<StepWords> stepWords(const std::string &method)
+{
+    if (method == "auto")
+        return StepWords{
+            FactExplanationsWords::tr(
+                "The offset at which the tracks of the robot on the floor, as the two views see it, "
+                "coincide: least squares of "
+                "r(t) = p₁(t) − p₂((t − offset)(1 + rate)), with a constant shift and a small scale between "
+                "them, searched in half "
+                "frames and refined by Gauss–Newton. The clocks' rate is taken where it is beyond three σ."),
+            FactExplanationsWords::tr("from the curvature of the sum of squares and the residual, which is "
+                                      "taken as correlated over half a second")};
+    if (method == "flash")
+        return StepWords{
+            FactExplanationsWords::tr("The offset at which the jumps of light that both views saw fall "
+                                      "together, taken where no other offset comes within a "
+                                      "factor of 150 of its likelihood: the pairs' weighted mean."),
+            FactExplanationsWords::tr("of the pairs, of their scatter, and a tenth of a frame interval for "
+                                      "each view, for its shutter")};
+    if (method == "clock")
+        return StepWords{FactExplanationsWords::tr("Each camera's time stamps, related to this computer's "
+                                                   "clock by readings of the camera's while it recorded."),
+                         FactExplanationsWords::tr("of both relations of the clocks")};
+    return std::nullopt;
+}
+
+} // namespace
+
+Explanation explainPassages(const TrialScene &scene, std::size_t robot, const QString &value)
+{
+    Explanation told;
+    told.what = FactExplanationsWords::tr("Times at the gates");
+    told.value = value;
+    told.formula =
+        FactExplanationsWords::tr("When the robot's centre crosses the gate's line between its ends, the way "
+                                  "the gate is passed: between two frames the smoothed "
+                                  "position is the cubic through both places and velocities. It has passed "
+                                  "when it was before the line by three σ of the "
+                                  "track's own noise and then is past it by as much.");
+    told.uncertainty = FactExplanationsWords::tr(
+        "σ of the position across the gate over the speed across it, with the calibration's part");
+    told.inputs = analysisInputs(scene, robot);
+    return told;
+}
+
+Explanation explainLap(const TrialScene &scene, std::size_t robot, const Lap &lap, const QString &what)
+{
+    Explanation told;
+    told.what = what;
+    told.value = figureText(lap.timeS, lap.sigmaS, QStringLiteral("s")).text();
+    told.formula = FactExplanationsWords::tr("From one passing of the start to the finish, or of the one "
+                                             "gate to the next; of each split its first passing counts.");
+    told.uncertainty = FactExplanationsWords::tr(
+        "of both passages; the calibration's error of a gate that is passed twice at one speed cancels");
+    for (const Sector &sector : lap.sectors)
+        told.inputs << FactExplanationsWords::tr("to %1: %2")
+                           .arg(QString::fromStdString(sector.gate),
+                                figureText(sector.timeS, sector.sigmaS, QStringLiteral("s")).text());
+    told.inputs += analysisInputs(scene, robot);
+    return told;
+}
+
+Explanation explainFigures(const TrialScene &scene, std::size_t robot, const QString &what,
+                           const QString &value, const std::string &stem)
+{
+    Explanation told;
+    told.what = what;
+    told.value = value;
+    QStringList formulas, uncertainties;
+    for (const Metric &metric : scene.robots.at(robot).analysis->profile.metrics) {
+        if (!metric.name.starts_with(stem))
+            continue;
+        const Explanation one = explainMetric(metric, {});
+        formulas << QStringLiteral("%1: %2").arg(one.what, one.formula);
+        if (!one.uncertainty.isEmpty())
+            uncertainties << QStringLiteral("%1: %2").arg(one.what, one.uncertainty);
+    }
+    told.formula = formulas.join(u'\n');
+    told.uncertainty = uncertainties.join(u'\n');
+    told.inputs = analysisInputs(scene, robot);
+    return told;
+}
+
+std::optional<Explanation> explainStep(const SceneView &view, const QString &value)
+{
+    const auto words = stepWords(view.recording.syncMethod);
+    if (!words)
+        return std::nullopt;
+    Explanation told;
+    told.what =
+        FactExplanationsWords::tr("View %1 in step with the first").arg(QString::fromStdString(view.camera));
+    told.value = value;
+    told.formula = words->formula;
+    told.uncertainty = words->uncertainty;
+    told.inputs << FactExplanationsWords::tr("video %1, %2 frames")
+                       .arg(QString::fromStdString(view.file.filename().string()))
+                       .arg(view.recording.frameTimes.size());
+    return told;
+}
+
+std::optional<Explanation> explainHeight(const TrialScene &scene, std::size_t robot)
+{
+    const auto &analysis = scene.robots.at(robot).analysis;
+    if (!analysis || !analysis->profile.heightEstimated)
+        return std::nullopt;
+    Explanation told;
+    told.what = FactExplanationsWords::tr("Height of robot %1")
+                    .arg(QString::fromStdString(scene.robots[robot].robot.name));
+    told.value = lengthText(analysis->profile.heightM);
+    told.formula =
+        FactExplanationsWords::tr("The solid (box or cylinder, on the floor or a plate at the robot's top) "
+                                  "whose silhouettes the outlines in all views are, by weighted "
+                                  "least squares at some forty times of the run; where no such solid "
+                                  "explains them, the height at which all views put the robot at the "
+                                  "same place.");
+    told.inputs = analysisInputs(scene, robot);
+    return told;
+}
+
+namespace {
+
+class TrialFactsWords
+{
+    Q_DECLARE_TR_FUNCTIONS(TrialFacts)
+};
+
+QString robotText(const SceneRobot &robot)
+{
+    QString name = QString::fromStdString(robot.robot.name);
+    if (!robot.analysis || robot.analysis->views.empty()) // an imported track tells no height
+        return name;
+    const QString height = lengthText(robot.analysis->profile.heightM);
+    return robot.analysis->profile.heightEstimated
+               ? TrialFactsWords::tr("%1, %2 high (estimated)").arg(name, height)
+               : TrialFactsWords::tr("%1, %2 high").arg(name, height);
+}
+
+QString viewText(const SceneView &view)
+{
+    return TrialFactsWords::tr("%1: %2×%3, %4 frames")
+        .arg(QString::fromStdString(view.camera))
+        .arg(view.recording.widthPx)
+        .arg(view.recording.heightPx)
+        .arg(view.recording.frameTimes.size());
+}
+
+/// What is worse comes in the place of the badge that the rate varies, of which the words remain.
+Fact viewFact(const SceneView &view)
+{
+    Fact fact{TrialFactsWords::tr("View"), viewText(view), {}};
+    if (const QString uneven = unevenText(view.recording); !uneven.isEmpty()) {
+        fact.value += u'\n' + uneven;
+        fact.badge = {TrialFactsWords::tr("rate varies"), BadgeState::Neutral};
+    }
+    if (!files::exists(view.file))
+        fact.badge = {TrialFactsWords::tr("video missing"), BadgeState::Bad};
+    else if (!view.floorView)
+        fact.badge = {TrialFactsWords::tr("not registered"), BadgeState::Warning};
+    return fact;
+}
+
+Fact stepFact(const SceneView &view)
+{
+    Fact fact{
+        TrialFactsWords::tr("In step"),
+        TrialFactsWords::tr("%1: %2").arg(QString::fromStdString(view.camera), stepText(view.recording)),
+        {},
+        explainStep(view, stepText(view.recording))};
+    if (view.recording.syncMethod != "told" && !isStepMeasured(view.recording))
+        fact.badge = {TrialFactsWords::tr("not synchronised"), BadgeState::Warning};
+    return fact;
+}
+
+/// Where an imported track came from, and how it was read.
+QString importText(const ImportedTrack &source)
+{
+    return QString::fromStdString(source.file) + u'\n' + shownWords(source.reading) + u'\n' +
+           TrialFactsWords::tr("SHA-256 %1…").arg(QString::fromStdString(source.sha256.substr(0, 12)));
+}
+
+QString timeText(double seconds, double sigmaS)
+{
+    return figureText(seconds, sigmaS, QStringLiteral("s")).text();
+}
+
+/// When the robot passed each gate, and the laps with their sectors.
+QList<Fact> gateFacts(const TrialScene &scene)
+{
+    const Profile &profile = scene.robots.front().analysis->profile;
+    QList<Fact> facts;
+    QStringList gates;
+    for (const GatePassage &passage : profile.passages)
+        gates << TrialFactsWords::tr("%1 at %2")
+                     .arg(QString::fromStdString(passage.gate),
+                          timeText(toSeconds(passage.time), passage.sigmaS));
+    if (!gates.isEmpty())
+        facts.append({TrialFactsWords::tr("Gates"),
+                      gates.join(u'\n'),
+                      {},
+                      explainPassages(scene, 0, gates.join(u'\n'))});
+    const bool oneGate =
+        std::any_of(profile.passages.begin(), profile.passages.end(),
+                    [](const GatePassage &passage) { return passage.role == GateRole::StartFinish; });
+    int number = 0;
+    for (const Lap &lap : lapsOf(profile.passages)) {
+        QStringList lines(timeText(lap.timeS, lap.sigmaS));
+        for (const Sector &sector : lap.sectors) {
+            if (lap.sectors.size() > 1)
+                lines << TrialFactsWords::tr("to %1 %2")
+                             .arg(QString::fromStdString(sector.gate), timeText(sector.timeS, sector.sigmaS));
+        }
+        const QString what =
+            (oneGate ? TrialFactsWords::tr("Lap %1") : TrialFactsWords::tr("Run %1")).arg(++number);
+        facts.append({what, lines.join(u'\n'), {}, explainLap(scene, 0, lap, what)});
+    }
+    return facts;
+}
+
+/// How well the reference path was kept.
+QString pathText(const Profile &profile)
+{
+    QStringList lines;
+    for (const Metric &metric : profile.metrics) {
+        const QString figure = metricFigure(metric).text();
+        if (metric.name == "cross_track_mean")
+            lines << TrialFactsWords::tr("off by %1 on average").arg(figure);
+        else if (metric.name == "cross_track_rms")
+            lines << TrialFactsWords::tr("%1 (RMS)").arg(figure);
+        else if (metric.name == "cross_track_max")
+            lines << TrialFactsWords::tr("%1 at most").arg(figure);
+        else if (metric.name == "cross_track_bias")
+            lines << TrialFactsWords::tr("%1 to the left").arg(figure);
+        else if (metric.name == "path_completed")
+            lines << TrialFactsWords::tr("%1 of it completed").arg(figure);
+    }
+    return lines.join(u'\n');
+}
+
+/// Where the first robot was beyond zones; empty where the task has none or it was measured by another
+/// course.
+QString zonesText(const TrialScene &scene)
+{
+    if (!scene.task || scene.task->zones.empty() || isMeasuredOtherwise(scene, 0))
+        return {};
+    const QStringList lines = zoneBreachLines(scene, 0);
+    return lines.isEmpty() ? TrialFactsWords::tr("kept") : lines.join(u'\n');
+}
+
+QString dateText(Instant instant)
+{
+    return QLocale().toString(QDateTime::fromMSecsSinceEpoch(instant.time_since_epoch().count()),
+                              QLocale::ShortFormat);
+}
+
+/// The task, with what a run is worth in it.
+void addTask(const TrialScene &scene, QList<Fact> &facts)
+{
+    if (scene.trial.task.empty())
+        return;
+    const bool isOtherwise = !scene.robots.empty() && isMeasuredOtherwise(scene, 0);
+    facts.append({TrialFactsWords::tr("Task"), QString::fromStdString(scene.trial.task),
+                  isOtherwise ? Badge{TrialFactsWords::tr("measured by another course"), BadgeState::Warning}
+                              : Badge()});
+    for (std::size_t robot = 0; robot < scene.robots.size(); ++robot) {
+        const std::optional<Score> score = scoreOf(scene, robot);
+        if (!score)
+            continue;
+        const QString points = scoreText(*score);
+        facts.append({TrialFactsWords::tr("Score"),
+                      scene.robots.size() == 1
+                          ? points
+                          : joinedWords(QString::fromStdString(scene.robots[robot].robot.name), points),
+                      {},
+                      explainScore(*score, analysisInputs(scene, robot))});
+    }
+    if (isOtherwise && !scene.scoring.empty())
+        facts.append({TrialFactsWords::tr("Score"),
+                      TrialFactsWords::tr("none until it is measured again: the task has another course now"),
+                      {}});
+}
+
+} // namespace
+
+QList<Fact> trialFacts(const TrialScene &scene)
+{
+    QList<Fact> facts;
+    const auto add = [&facts](const QString &name, const QString &value) {
+        if (!value.isEmpty())
+            facts.append(Fact{name, value, {}, std::nullopt});
+    };
+    const TrialRecord &trial = scene.trial;
+    add(TrialFactsWords::tr("Team"), shownTeam(trial));
+    addTask(scene, facts);
+    for (std::size_t robot = 0; robot < scene.robots.size(); ++robot)
+        facts.append(
+            {TrialFactsWords::tr("Robot"), robotText(scene.robots[robot]), {}, explainHeight(scene, robot)});
+    for (const SceneRobot &robot : scene.robots) {
+        if (robot.analysis && robot.analysis->proof == AnalysisRecord::Proof::Broken)
+            facts.append({TrialFactsWords::tr("Results"),
+                          TrialFactsWords::tr(
+                              "%1: changed in the file since they were analysed. Analyse the trial again.")
+                              .arg(QString::fromStdString(robot.robot.name)),
+                          {TrialFactsWords::tr("do not rely on them"), BadgeState::Bad}});
+    }
+    for (const SceneRobot &robot : scene.robots) {
+        const std::string apart = robot.analysis && !robot.analysis->views.empty()
+                                      ? viewsApartSentence(robot.analysis->profile)
+                                      : std::string();
+        if (!apart.empty())
+            facts.append({TrialFactsWords::tr("Views"),
+                          joinedWords(QString::fromStdString(robot.robot.name), shownWords(apart)),
+                          {TrialFactsWords::tr("doubtful"), BadgeState::Warning}});
+    }
+    add(TrialFactsWords::tr("Date"), dateText(trial.date));
+    if (scene.layout)
+        add(TrialFactsWords::tr("Testbed"),
+            TrialFactsWords::tr("markers “%1”").arg(QString::fromStdString(scene.layout->name)));
+    for (const SceneView &view : scene.views)
+        facts.append(viewFact(view));
+    for (const ImportedTrack &source : scene.imported)
+        add(TrialFactsWords::tr("Imported"), importText(source));
+    for (std::size_t view = 1; view < scene.views.size(); ++view)
+        facts.append(stepFact(scene.views[view]));
+    if (!scene.robots.empty() && scene.robots.front().analysis) {
+        const AnalysisRecord &analysis = *scene.robots.front().analysis;
+        facts += gateFacts(scene);
+        if (const QString path = pathText(analysis.profile); !path.isEmpty())
+            facts.append({TrialFactsWords::tr("Path"),
+                          path,
+                          {},
+                          explainFigures(scene, 0, TrialFactsWords::tr("Distance from the path"), path,
+                                         "cross_track")});
+        if (const QString zones = zonesText(scene); !zones.isEmpty())
+            facts.append({TrialFactsWords::tr("Zones"),
+                          zones,
+                          {},
+                          explainFigures(scene, 0, TrialFactsWords::tr("Zones"), zones, "zone_")});
+        add(TrialFactsWords::tr("Smoother"), smootherText(analysis.options.smoother));
+        add(TrialFactsWords::tr("Analysed"),
+            TrialFactsWords::tr("%1, Odograph %2")
+                .arg(dateText(analysis.made), QString::fromStdString(analysis.softwareVersion)));
+    }
+    add(TrialFactsWords::tr("Note"), QString::fromStdString(trial.notes));
+    return facts;
+}
+
+} // namespace odo

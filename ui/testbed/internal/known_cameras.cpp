@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/testbed/internal/known_cameras.h"
+
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/workflow/trial_sources.h"
+#include "ui/models/camera_lists.h"
+#include "ui/models/core_words.h"
+#include "ui/models/figure_text.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
+
+namespace odo {
+
+namespace {
+
+Result<std::optional<std::filesystem::path>> newestFile(Project &project, RecordId camera)
+{
+    const auto recording = project.trials().newestRecording(camera);
+    if (!recording)
+        return tl::unexpected(recording.error());
+    return *recording ? std::optional(project.resolve(**recording)) : std::nullopt;
+}
+
+} // namespace
+
+Result<std::vector<FloorCamera>> floorCameras(Project &project)
+{
+    const auto rows = loadCameraRows(project);
+    if (!rows)
+        return tl::unexpected(rows.error());
+    std::vector<FloorCamera> cameras;
+    for (const CameraRow &row : *rows) {
+        const auto recording = newestFile(project, row.camera.id);
+        if (!recording)
+            return tl::unexpected(recording.error());
+        cameras.push_back({QString::fromStdString(row.camera.name), row.intrinsics, *recording,
+                           cameraBadge(row.registration)});
+    }
+    return cameras;
+}
+
+Result<std::vector<CheckCamera>> checkCameras(Project &project)
+{
+    const auto rows = loadCameraRows(project);
+    if (!rows)
+        return tl::unexpected(rows.error());
+    std::vector<CheckCamera> cameras;
+    for (const CameraRow &row : *rows) {
+        if (!row.registration)
+            continue;
+        const auto view = floorViewOf(project, *row.registration);
+        if (!view)
+            return tl::unexpected(view.error());
+        const auto layout = project.layouts().get(row.registration->layout);
+        if (!layout)
+            return tl::unexpected(layout.error());
+        const auto recording = newestFile(project, row.camera.id);
+        if (!recording)
+            return tl::unexpected(recording.error());
+        cameras.push_back({QString::fromStdString(row.camera.name), *view, layout->layout, *recording,
+                           row.camera.deviceUri, cameraBadge(row.registration)});
+    }
+    return cameras;
+}
+
+namespace {
+
+class TestbedStateWords
+{
+    Q_DECLARE_TR_FUNCTIONS(TestbedState)
+};
+
+QString dateText(Instant instant)
+{
+    return QLocale().toString(QDateTime::fromMSecsSinceEpoch(instant.time_since_epoch().count()),
+                              QLocale::ShortFormat);
+}
+
+QString lensName(LensModel model)
+{
+    switch (model) {
+    case LensModel::Standard:
+        return TestbedStateWords::tr("standard");
+    case LensModel::Rational:
+        return TestbedStateWords::tr("rational");
+    case LensModel::Fisheye:
+        break;
+    }
+    return TestbedStateWords::tr("fisheye");
+}
+
+void addIntrinsics(QList<Fact> &facts, const IntrinsicsRecord &record)
+{
+    const QLocale locale;
+    const Intrinsics &lens = record.calibration.intrinsics;
+    facts.append(
+        {TestbedStateWords::tr("Picture"), QStringLiteral("%1×%2").arg(lens.widthPx).arg(lens.heightPx), {}});
+    facts.append(
+        {TestbedStateWords::tr("Lens"),
+         TestbedStateWords::tr("%1, f = %2 px").arg(lensName(lens.model), locale.toString(lens.fxPx, 'f', 1)),
+         {}});
+    facts.append({TestbedStateWords::tr("Origin"),
+                  QStringLiteral("%1, %2").arg(shownWords(record.origin), dateText(record.made)),
+                  {}});
+    if (record.calibration.rmsPx > 0)
+        facts.append({TestbedStateWords::tr("Board error"),
+                      TestbedStateWords::tr("%1 px in %2 pictures")
+                          .arg(locale.toString(record.calibration.rmsPx, 'f', 2))
+                          .arg(record.calibration.picturesUsed()),
+                      {}});
+    if (record.calibration.crossValidationPx > 0)
+        facts.append({TestbedStateWords::tr("Held-out error"),
+                      TestbedStateWords::tr("%1 px").arg(
+                          locale.toString(record.calibration.crossValidationPx, 'f', 2)),
+                      {}});
+    if (!record.calibration.verdict.empty())
+        facts.append({TestbedStateWords::tr("Verdict"), shownWords(record.calibration.verdict), {}});
+}
+
+void addRegistration(QList<Fact> &facts, const RegistrationRecord &record)
+{
+    const QLocale locale;
+    const FloorRegistration &registration = record.registration;
+    facts.append({TestbedStateWords::tr("On the floor"),
+                  TestbedStateWords::tr("registered %1").arg(dateText(record.made)), cameraBadge(record)});
+    if (record.lastCheck)
+        facts.append({TestbedStateWords::tr("Last check"),
+                      QStringLiteral("%1: %2").arg(dateText(record.lastCheck->made),
+                                                   shownWords(record.lastCheck->words)),
+                      {}});
+    const Eigen::Vector3d place = registration.worldFromCamera.translation;
+    facts.append({TestbedStateWords::tr("Place"),
+                  TestbedStateWords::tr("x %1 m, y %2 m, %3 m high")
+                      .arg(locale.toString(place.x(), 'f', 2), locale.toString(place.y(), 'f', 2),
+                           locale.toString(place.z(), 'f', 2)),
+                  {}});
+    QStringList errors;
+    for (const MarkerError &marker : registration.markers)
+        errors << QStringLiteral("%1 %2").arg(QString::fromStdString(marker.label),
+                                              lengthText(marker.errorM));
+    facts.append({TestbedStateWords::tr("Markers"), errors.join(QStringLiteral(", ")), {}});
+    if (!registration.verdict.empty())
+        facts.append({TestbedStateWords::tr("Verdict"), shownWords(registration.verdict), {}});
+}
+
+} // namespace
+
+Result<TrialScenePtr> newestPicture(Project &project, const CameraRow &camera)
+{
+    const auto recording = project.trials().newestRecording(camera.camera.id);
+    if (!recording)
+        return tl::unexpected(recording.error());
+    if (!*recording)
+        return TrialScenePtr();
+    auto scene = std::make_shared<TrialScene>();
+    SceneView view{camera.camera.name, **recording, project.resolve(**recording), {}, {}, Nanoseconds{0}};
+    if (camera.registration) {
+        const Result<FloorView> floorView = floorViewOf(project, *camera.registration);
+        const Result<LayoutRecord> layout = project.layouts().get(camera.registration->layout);
+        if (!floorView || !layout)
+            return tl::unexpected(floorView ? layout.error() : floorView.error());
+        view.floorView = *floorView;
+        view.registration = camera.registration->registration;
+        scene->layout = layout->layout;
+    }
+    const Result<TrialRecord> trial = project.trials().get((*recording)->trial);
+    if (!trial)
+        return tl::unexpected(trial.error());
+    scene->trial = *trial;
+    scene->views.push_back(std::move(view));
+    return scene;
+}
+
+QList<Fact> cameraFacts(const CameraRow &camera)
+{
+    QList<Fact> facts;
+    // What is wrong comes first, so that nobody has to scroll for it.
+    const auto check = camera.registration ? camera.registration->lastCheck : std::nullopt;
+    if (check && check->outcome != RegistrationCheck::Outcome::Still)
+        facts.append({TestbedStateWords::tr("Attention"), shownWords(check->words), {}});
+    for (const std::string &warning : camera.warnings)
+        facts.append({TestbedStateWords::tr("Attention"), shownWords(warning), {}});
+    if (camera.intrinsics)
+        addIntrinsics(facts, *camera.intrinsics);
+    else
+        facts.append({TestbedStateWords::tr("Lens"),
+                      TestbedStateWords::tr("not calibrated: taken as free of distortion"),
+                      {}});
+    if (camera.registration)
+        addRegistration(facts, *camera.registration);
+    else
+        facts.append({TestbedStateWords::tr("On the floor"),
+                      TestbedStateWords::tr("not registered: positions cannot be measured yet"),
+                      {}});
+    return facts;
+}
+
+Result<std::vector<SketchedCamera>> sketchedCameras(Project &project, const std::vector<CameraRow> &cameras,
+                                                    RecordId layout)
+{
+    std::vector<SketchedCamera> sketched;
+    for (const CameraRow &row : cameras) {
+        if (!row.registration || row.registration->layout != layout)
+            continue;
+        const Result<FloorView> view = floorViewOf(project, *row.registration);
+        if (!view)
+            return tl::unexpected(view.error());
+        const Intrinsics &lens = view->camera().intrinsics();
+        const Eigen::Vector3d place = view->cameraInWorld();
+        const auto aim = view->floorFromPixel({lens.widthPx / 2.0, lens.heightPx / 2.0}, 0);
+        sketched.push_back(
+            {QString::fromStdString(row.camera.name), place, aim.value_or(Eigen::Vector2d(place.head<2>()))});
+    }
+    return sketched;
+}
+
+} // namespace odo

@@ -1,0 +1,444 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/testbed/internal/testbed_tools.h"
+
+#include "core/exchange/labelled_points.h"
+#include "core/project/project.h"
+#include "core/project/repositories.h"
+#include "core/workflow/calibrate/calibrate_job.h"
+#include "core/workflow/calibrate/cameras.h"
+#include "core/workflow/calibrate/register_job.h"
+#include "ui/models/camera_lists.h"
+#include "ui/models/core_words.h"
+#include "ui/testbed/check/accuracy_dialog.h"
+#include "ui/testbed/check/length_wizard.h"
+#include "ui/testbed/check/moved_dialog.h"
+#include "ui/testbed/check/revisions_dialog.h"
+#include "ui/testbed/floor/floor_wizard.h"
+#include "ui/testbed/floor/layout_dialog.h"
+#include "ui/testbed/internal/known_cameras.h"
+#include "ui/testbed/lens/lens_wizard.h"
+#include "ui/testbed/targets/target_dialog.h"
+#include "ui/testbed/together/joint_dialog.h"
+#include "ui/testbed/together/through_wizard.h"
+#include "ui/views/widgets/command_keys.h"
+#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/theme.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QString>
+#include <algorithm>
+
+class QAction;
+class QObject;
+
+namespace odo {
+
+/// An action that stands in the menu by its long words, and on a button beneath a table by its short ones.
+QAction *toolAction(const QString &icon, const QString &text, const QString &shortText, const QString &tip,
+                    QObject *parent);
+
+QAction *toolAction(const QString &icon, const QString &text, const QString &shortText, const QString &tip,
+                    QObject *parent)
+{
+    auto *action = new QAction(themeIcon(icon), text, parent);
+    action->setIconText(shortText);
+    action->setToolTip(tip);
+    return action;
+}
+
+namespace {
+
+/// Before a simulated camera somebody holds a board.
+Result<std::shared_ptr<CameraSource>> openWithBoard(const QString &uri)
+{
+    const QString address = uri.startsWith(QLatin1String("sim:")) ? uri + QLatin1String("?board") : uri;
+    auto camera = openCamera(address.toStdString());
+    if (!camera)
+        return tl::unexpected(camera.error());
+    return std::shared_ptr<CameraSource>(std::move(*camera));
+}
+
+/// The picture of a registration on its way into the project: written by the wizard's thread, read by this
+/// one once the wizard is closed. Unless it is committed, its destructor leaves nothing behind.
+class FloorPicture
+{
+public:
+    explicit FloorPicture(const std::filesystem::path &mediaFolder) : m_media(mediaFolder) {}
+    KeepPicture keep()
+    {
+        return [this](const QString &camera, const Frame &frame) -> Result<void> {
+            auto written = m_media.writeFloor(camera.toStdString(), frame);
+            if (!written)
+                return tl::unexpected(written.error());
+            m_stored = std::move(*written);
+            return {};
+        };
+    }
+    const StoredPicture &stored() const { return m_stored; }
+    void commit() { m_media.keep(); }
+
+private:
+    CalibrationMedia m_media;
+    StoredPicture m_stored;
+};
+
+} // namespace
+
+TestbedTools::TestbedTools(Project &project, LiveCameras &live, QWidget &window)
+    : QObject(&window), m_project(project), m_live(live), m_window(window)
+{
+    add(Calibrate, QStringLiteral("calibrate"), tr("&Calibrate camera…"), tr("Calibrate…"),
+        tr("Measure a camera's lens from pictures of a board"), &TestbedTools::calibrate);
+    add(Register, QStringLiteral("register"), tr("&Register camera…"), tr("Register…"),
+        tr("Find where a camera stands from the floor markers"), &TestbedTools::registerCamera);
+    add(RegisterThrough, QStringLiteral("register"), tr("Register t&hrough another camera…"),
+        tr("Through another…"),
+        tr("Find where a camera stands that sees no markers, from points of the floor that another camera "
+           "sees as well"),
+        &TestbedTools::registerThroughCamera);
+    add(RegisterJointly, QStringLiteral("register"), tr("Register all cameras to&gether…"),
+        tr("All together…"),
+        tr("Fit the cameras of the chosen layout at once, so that they agree, and find markers that were "
+           "measured wrongly"),
+        &TestbedTools::registerTogether);
+    add(ImportLens, QStringLiteral("import"), tr("Import &intrinsics…"), tr("Import lens…"),
+        tr("Take a camera's lens from a ROS or OpenCV YAML file"), &TestbedTools::importLens);
+    add(NewLayout, QStringLiteral("add"), tr("New marker &layout…"), tr("New layout…"),
+        tr("Say where the markers lie, from the start or from the layout that is chosen"),
+        &TestbedTools::newLayout);
+    add(ImportLayout, QStringLiteral("import"), tr("Import &marker layout…"), tr("Import layout…"),
+        tr("Take the places of the markers from a table"), &TestbedTools::importLayout);
+    add(PrintTargets, QStringLiteral("print"), tr("Print &targets…"), tr("Print…"),
+        tr("Boards for the lens and markers for the floor, to scale"), &TestbedTools::printTargets);
+    nameCommands({{action(Calibrate), "calibrate"},
+                  {action(Register), "register"},
+                  {action(RegisterThrough), "registerThrough"},
+                  {action(RegisterJointly), "registerTogether"},
+                  {action(ImportLens), "importLens"},
+                  {action(NewLayout), "newLayout"},
+                  {action(ImportLayout), "importLayout"},
+                  {action(PrintTargets), "printTargets"}});
+}
+
+void TestbedTools::add(Tool tool, const QString &icon, const QString &text, const QString &shortText,
+                       const QString &tip, void (TestbedTools::*slot)())
+{
+    Q_ASSERT(m_actions.size() == tool);
+    QAction *action = toolAction(icon, text, shortText, tip, this);
+    connect(action, &QAction::triggered, this, slot);
+    m_actions.append(action);
+}
+
+void TestbedTools::setCurrent(const QString &camera, const std::optional<LayoutRecord> &layout)
+{
+    m_camera = camera;
+    m_layout = layout;
+    m_actions.at(Register)->setEnabled(layout.has_value());
+    m_actions.at(RegisterThrough)->setEnabled(layout.has_value());
+    m_actions.at(RegisterJointly)->setEnabled(layout.has_value());
+}
+
+void TestbedTools::registerAgain(const QString &camera)
+{
+    m_camera = camera;
+    registerCamera();
+}
+
+QStringList TestbedTools::cameraNames() const
+{
+    QStringList names;
+    for (const CameraRecord &camera : m_project.cameras().all().value_or(std::vector<CameraRecord>()))
+        names << QString::fromStdString(camera.name);
+    return names;
+}
+
+QStringList TestbedTools::layoutNames() const
+{
+    QStringList names;
+    for (const LayoutRecord &layout : m_project.layouts().all().value_or(std::vector<LayoutRecord>()))
+        names << QString::fromStdString(layout.layout.name);
+    return names;
+}
+
+void TestbedTools::calibrate()
+{
+    std::unique_ptr<CalibrationStorage> storage; // touched by the wizard's thread, and after it by this one
+    LensWizard::Callbacks callbacks;
+    callbacks.open = openWithBoard;
+    callbacks.keepPictures = [&storage, folder = m_project.mediaFolder()](const MeasuredLens &lens,
+                                                                          const JobControl &control) {
+        storage = std::make_unique<CalibrationStorage>(folder, lens.camera.toStdString(), lens.calibration,
+                                                       lens.board);
+        return storage->writePictures(lens.pictures, control);
+    };
+    m_live.look();
+    LensWizard wizard(cameraNames(), m_camera, m_live, std::move(callbacks), &m_window);
+    if (wizard.exec() != QDialog::Accepted)
+        return;
+    const auto stored = storage->commit(m_project);
+    if (!stored)
+        Q_EMIT failed(stored.error());
+    else
+        Q_EMIT changed(tr("Camera %1 is calibrated. %2")
+                           .arg(wizard.result().camera, shownWords(stored->calibration.verdict)));
+}
+
+void TestbedTools::registerCamera()
+{
+    auto cameras = floorCameras(m_project);
+    auto layouts = m_project.layouts().all();
+    if (!cameras || !layouts) {
+        Q_EMIT failed(cameras ? layouts.error() : cameras.error());
+        return;
+    }
+    // The one that is chosen comes first, for the wizard begins with it.
+    std::stable_partition(layouts->begin(), layouts->end(), [this](const LayoutRecord &layout) {
+        return m_layout && layout.id == m_layout->id;
+    });
+    m_live.look();
+    FloorPicture picture(m_project.mediaFolder());
+    FloorWizard wizard(std::move(*cameras), m_camera, std::move(*layouts), m_live, picture.keep(), &m_window);
+    if (wizard.exec() != QDialog::Accepted)
+        return;
+    std::string verdict;
+    const auto stored =
+        m_project.note(tr("register camera %1").arg(wizard.camera()).toStdString(), [&]() -> Result<void> {
+            RegistrationRecord registration = wizard.result();
+            registration.picture = picture.stored();
+            const auto record =
+                storeRegistration(m_project, wizard.camera().toStdString(), std::move(registration));
+            if (!record)
+                return tl::unexpected(record.error());
+            verdict = record->registration.verdict;
+            return {};
+        });
+    if (!stored)
+        return Q_EMIT failed(stored.error());
+    picture.commit();
+    Q_EMIT changed(tr("Camera %1 is registered. %2").arg(wizard.camera(), shownWords(verdict)));
+}
+
+void TestbedTools::registerThroughCamera()
+{
+    const auto cameras = floorCameras(m_project);
+    const auto registered = checkCameras(m_project);
+    if (!cameras || !registered) {
+        Q_EMIT failed(cameras ? registered.error() : cameras.error());
+        return;
+    }
+    if (registered->empty() || cameras->size() < 2) {
+        Q_EMIT failed(fail(ErrorCode::NotFound, "registration through another camera",
+                           registered->empty() ? "no camera is registered yet" : "there is only one camera",
+                           registered->empty() ? "register one that sees the markers first"
+                                               : "calibrate the other one, or import a trial with it, first")
+                          .value());
+        return;
+    }
+    m_live.look();
+    FloorPicture picture(m_project.mediaFolder());
+    ThroughWizard wizard(*cameras, m_camera, *registered, m_live, picture.keep(), &m_window);
+    if (wizard.exec() != QDialog::Accepted)
+        return;
+    RegisterThroughJob job({wizard.camera().toStdString(), wizard.through().toStdString(),
+                            wizard.page().points(), picture.stored()});
+    if (const auto done = runToEnd(job, m_project, {}); !done)
+        return Q_EMIT failed(done.error());
+    picture.commit();
+    Q_EMIT changed(
+        tr("Camera %1 is registered through camera %2. %3")
+            .arg(wizard.camera(), wizard.through(), shownWords(job.record().registration.verdict)));
+}
+
+void TestbedTools::registerTogether()
+{
+    const std::string layout = m_layout->layout.name;
+    JointDialog dialog(
+        QString::fromStdString(layout),
+        [&](double tapeSigmaM) -> Result<std::shared_ptr<RegisterJointJob>> {
+            auto job = std::make_shared<RegisterJointJob>(RegisterJointSettings{layout, tapeSigmaM});
+            if (const auto prepared = job->prepare(m_project); !prepared)
+                return tl::unexpected(prepared.error());
+            return job;
+        },
+        &m_window);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    if (const auto stored = dialog.job()->commit(m_project); !stored)
+        Q_EMIT failed(stored.error());
+    else
+        Q_EMIT changed(tr("The cameras of layout %1 are registered together. %2")
+                           .arg(QString::fromStdString(layout), shownWords(dialog.job()->joint().verdict)));
+}
+
+void TestbedTools::importLens()
+{
+    const QString file = QFileDialog::getOpenFileName(&m_window, tr("Intrinsics of a camera"), {},
+                                                      tr("Calibrations (*.yaml *.yml);;All files (*)"));
+    if (file.isEmpty())
+        return;
+    const QStringList names = cameraNames();
+    bool accepted = false;
+    const QString camera = QInputDialog::getItem(&m_window, tr("Import intrinsics"), tr("Camera:"), names,
+                                                 std::max(0, int(names.indexOf(m_camera))), true, &accepted)
+                               .trimmed();
+    if (!accepted || camera.isEmpty())
+        return;
+    const Result<IntrinsicsRecord> imported = importIntrinsics(m_project, camera.toStdString(), pathOf(file));
+    if (!imported)
+        Q_EMIT failed(imported.error());
+    else
+        Q_EMIT changed(
+            tr("The lens of camera %1 was taken from %2.").arg(camera, QFileInfo(file).fileName()));
+}
+
+void TestbedTools::newLayout()
+{
+    LayoutDialog dialog(m_layout ? m_layout->layout : MarkerLayout(), layoutNames(), &m_window);
+    if (dialog.exec() == QDialog::Accepted)
+        store(dialog.layout());
+}
+
+void TestbedTools::importLayout()
+{
+    const QString file =
+        QFileDialog::getOpenFileName(&m_window, tr("Places of the markers (label,x_mm,y_mm)"), {},
+                                     tr("Tables (*.csv *.txt);;All files (*)"));
+    if (file.isEmpty())
+        return;
+    Result<MarkerLayout> layout = readLayoutCsv(pathOf(file));
+    if (!layout) {
+        Q_EMIT failed(layout.error());
+        return;
+    }
+    // Looked over before it is stored: a table of another unit shows at once.
+    layout->name = QFileInfo(file).completeBaseName().toStdString();
+    LayoutDialog dialog(*layout, layoutNames(), &m_window);
+    if (dialog.exec() == QDialog::Accepted)
+        store(dialog.layout());
+}
+
+void TestbedTools::store(MarkerLayout layout)
+{
+    const QString words = tr("add layout %1").arg(QString::fromStdString(layout.name));
+    const auto added =
+        changing(m_project, words.toStdString(), [&] { return m_project.layouts().add(layout); });
+    if (!added)
+        Q_EMIT failed(added.error());
+    else
+        Q_EMIT changed(tr("Layout %1 has %2 markers.")
+                           .arg(QString::fromStdString(layout.name))
+                           .arg(layout.markers.size()));
+}
+
+void TestbedTools::printTargets()
+{
+    QStringList labels;
+    if (m_layout)
+        for (const Marker &marker : m_layout->layout.markers)
+            labels << QString::fromStdString(marker.label);
+    TargetDialog(TargetKind::Checkerboard, labels, &m_window).exec();
+}
+
+CheckTools::CheckTools(Project &project, LiveCameras &live, QWidget &window)
+    : QObject(&window), m_project(project), m_live(live), m_window(window)
+{
+    add(Moved, QStringLiteral("moved"), tr("&Check the cameras…"), tr("Moved?"),
+        tr("Look whether each camera still stands where it was registered, before the robots run"),
+        &CheckTools::checkMoved);
+    add(Length, QStringLiteral("length"), tr("Check a known &length…"), tr("Length…"),
+        tr("Measure something of known length in a camera's picture, and see whether the camera is as good "
+           "as it promises"),
+        &CheckTools::checkLength);
+    add(Accuracy, QStringLiteral("accuracy"), tr("&Expected accuracy…"), tr("Accuracy…"),
+        tr("See how well each place of the floor will be known, also with cameras that are only planned"),
+        &CheckTools::showAccuracy);
+    add(Revisions, QStringLiteral("revisions"), tr("&Older calibrations…"), tr("Revisions…"),
+        tr("See every calibration and registration of a camera, put an older one in force, measure trials "
+           "again"),
+        &CheckTools::showRevisions);
+    nameCommands({{action(Moved), "checkMoved"},
+                  {action(Length), "checkLength"},
+                  {action(Accuracy), "expectedAccuracy"},
+                  {action(Revisions), "revisions"}});
+}
+
+void CheckTools::add(Tool tool, const QString &icon, const QString &text, const QString &shortText,
+                     const QString &tip, void (CheckTools::*slot)())
+{
+    Q_ASSERT(m_actions.size() == tool);
+    QAction *action = toolAction(icon, text, shortText, tip, this);
+    connect(action, &QAction::triggered, this, slot);
+    m_actions.append(action);
+}
+
+void CheckTools::setCurrent(const QString &camera, const std::optional<LayoutRecord> &layout,
+                            bool isRegistered)
+{
+    m_camera = camera;
+    m_layout = layout;
+    m_actions.at(Moved)->setEnabled(isRegistered);
+    m_actions.at(Length)->setEnabled(isRegistered);
+    m_actions.at(Revisions)->setEnabled(!camera.isEmpty());
+    m_actions.at(Accuracy)->setEnabled(layout.has_value());
+}
+
+void CheckTools::checkLength()
+{
+    auto cameras = checkCameras(m_project);
+    if (!cameras) {
+        Q_EMIT failed(cameras.error());
+        return;
+    }
+    if (cameras->empty())
+        return;
+    m_live.look();
+    LengthWizard(std::move(*cameras), m_camera, m_live, &m_window).exec();
+}
+
+void CheckTools::showAccuracy()
+{
+    auto cameras = checkCameras(m_project);
+    const auto robots = m_project.robots().all();
+    if (!cameras || !robots) {
+        Q_EMIT failed(cameras ? robots.error() : cameras.error());
+        return;
+    }
+    std::erase_if(*cameras,
+                  [this](const CheckCamera &camera) { return camera.layout.name != m_layout->layout.name; });
+    double heightM = 0; // of a robot that was told; the figures hardly depend on it
+    for (const RobotRecord &robot : *robots)
+        heightM = std::max(heightM, robot.heightM.value_or(0));
+    AccuracyDialog(m_layout->layout, *cameras, heightM, &m_window).exec();
+}
+
+void CheckTools::checkMoved()
+{
+    auto cameras = checkCameras(m_project);
+    if (!cameras) {
+        Q_EMIT failed(cameras.error());
+        return;
+    }
+    m_live.look();
+    MovedDialog dialog(m_project, std::move(*cameras), m_live, &m_window);
+    dialog.exec();
+    if (dialog.hasChecked())
+        Q_EMIT changed(tr("The cameras are checked: see their badges."));
+    if (!dialog.toRegister().isEmpty())
+        Q_EMIT registerRequested(dialog.toRegister());
+}
+
+void CheckTools::showRevisions()
+{
+    QStringList names;
+    for (const CameraRecord &camera : m_project.cameras().all().value_or(std::vector<CameraRecord>()))
+        names << QString::fromStdString(camera.name);
+    RevisionsDialog dialog(m_project, names, m_camera, &m_window);
+    dialog.exec();
+    if (dialog.hasChanged())
+        Q_EMIT changed(tr("Calibrations and trials are as they were chosen."));
+}
+
+} // namespace odo

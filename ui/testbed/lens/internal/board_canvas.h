@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/board_placement.h"
+
+#include <QImage>
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+namespace odo {
+
+/// A picture of the board with what is known of it: the corners that were found, where boards have been
+/// (shaded fields), where the board should go next (a dashed outline), and the corners' residuals as arrows.
+class BoardCanvas : public QWidget
+{
+    Q_OBJECT
+public:
+    struct Content
+    {
+        QImage image;
+        QSize size; ///< of the picture in which the pixels below count
+        std::vector<Eigen::Vector2d> corners;
+        bool counts = false; ///< the corners' picture was kept
+        std::optional<BoardCoverage> coverage;
+        std::optional<BoardPlacement> wanted;
+        std::vector<Eigen::Vector2d> residuals; ///< px, one a corner: seen minus computed
+        QString label;                          ///< in the picture's upper left
+    };
+
+    explicit BoardCanvas(QWidget *parent = nullptr);
+    void setContent(Content content);
+    const Content &content() const { return m_content; }
+    /// What stands there as long as there is no picture.
+    void setEmptyText(const QString &text);
+
+    QSize sizeHint() const override { return {720, 405}; }
+    QSize minimumSizeHint() const override { return {320, 180}; }
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    QRectF pictureRect() const;
+    void paintCoverage(QPainter &painter, const QRectF &place) const;
+    void paintWanted(QPainter &painter, const QRectF &place) const;
+    void paintCorners(QPainter &painter, const QRectF &place) const;
+    void paintResiduals(QPainter &painter, const QRectF &place) const;
+    QPointF fromPixel(const QRectF &place, const Eigen::Vector2d &pixel) const;
+
+    Content m_content;
+    QString m_emptyText;
+};
+
+} // namespace odo

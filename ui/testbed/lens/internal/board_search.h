@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/board_collector.h"
+#include "core/calibration/board_placement.h"
+
+#include <QImage>
+#include <QObject>
+#include <QStringList>
+#include <QThread>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace odo {
+
+class CameraSource;
+class BoardSearchWorker;
+class WatchedCamera;
+
+/// Opens the camera whose board is to be seen.
+using OpenCamera = std::function<Result<std::shared_ptr<CameraSource>>()>;
+
+/// A picture in which the board was looked for, small enough for the screen.
+struct SearchedPicture
+{
+    QString name;
+    QImage image;
+    QSize size; ///< of the picture as taken
+    PictureAnswer answer;
+    std::optional<WantedPose> wanted; ///< what would add most now; once the board is known
+};
+
+/// A picture that counts.
+struct KeptPicture
+{
+    QString name;
+    QImage image;
+    CollectedPicture board;
+    std::vector<unsigned char> png; ///< as taken, grey: to be kept with the calibration
+};
+
+/// What has been gathered.
+struct SearchState
+{
+    std::vector<KeptPicture> kept;
+    std::vector<std::pair<QString, QString>> refused; ///< name and reason of pictures that a person chose
+    BoardCoverage coverage;
+    int columns = 0, rows = 0; ///< of the board; 0: not found out yet
+    QSize size;                ///< of the pictures
+    bool canUndo = false;
+    int waiting = 0; ///< files not looked at yet
+};
+
+/// Looks for a board in pictures, videos or before a camera, on a thread of its own; gathers what counts.
+/// Signals come on the object's thread. The destructor stops and waits.
+class BoardSearch : public QObject
+{
+    Q_OBJECT
+public:
+    explicit BoardSearch(QObject *parent = nullptr);
+    ~BoardSearch() override;
+
+    /// Begins anew with this board.
+    void begin(const BoardSpec &spec);
+    /// Pictures and videos, one after the other.
+    void addFiles(const QStringList &files);
+    /// Until stop(): pictures are taken by themselves. open: called on the search's thread, for it may take
+    /// long.
+    void watch(OpenCamera open);
+    /// The next picture of the camera is taken as if a person had chosen it.
+    void takeNow();
+    void remove(int index);
+    void undoRemove();
+    /// Ends watching and forgets the files not looked at yet.
+    void stop();
+
+    const SearchState &state() const { return m_state; }
+
+Q_SIGNALS:
+    void searched(const odo::SearchedPicture &picture);
+    void changed();                        ///< state() is new
+    void troubled(const QString &message); ///< the camera is lost, or gives no picture for the moment
+
+private:
+    void ask(std::function<void(BoardSearchWorker &)> what);
+
+    QThread m_thread;
+    BoardSearchWorker *m_worker;
+    SearchState m_state;
+    std::shared_ptr<WatchedCamera> m_camera;
+};
+
+} // namespace odo
+
+Q_DECLARE_METATYPE(odo::SearchedPicture)

@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/testbed/lens/internal/lens_result_page.h"
+
+#include "ui/models/core_words.h"
+#include "ui/testbed/lens/internal/board_canvas.h"
+#include "ui/views/widgets/card.h"
+#include "ui/views/widgets/fact_list.h"
+#include "ui/views/widgets/theme.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QProgressBar>
+#include <QScrollArea>
+#include <QTabWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+constexpr int wholeResult = 1000, figuresWidth = 420;
+constexpr int chosenByItself = -1;
+
+QString modelName(LensModel model)
+{
+    switch (model) {
+    case LensModel::Standard:
+        return LensResultPage::tr("ordinary");
+    case LensModel::Rational:
+        return LensResultPage::tr("wide (rational)");
+    case LensModel::Fisheye:
+        break;
+    }
+    return LensResultPage::tr("fisheye");
+}
+
+QString px(double value, int decimals)
+{
+    return LensResultPage::tr("%1 px").arg(QLocale().toString(value, 'f', decimals));
+}
+
+/// Value ± σ of the parameter of this number.
+QString withSigma(const Intrinsics &lens, double value, int parameter)
+{
+    if (lens.covariance.rows() <= parameter)
+        return px(value, 1);
+    return LensResultPage::tr("%1 ± %2 px")
+        .arg(QLocale().toString(value, 'f', 1),
+             QLocale().toString(std::sqrt(lens.covariance(parameter, parameter)), 'f', 1));
+}
+
+} // namespace
+
+LensResultPage::LensResultPage(QWidget *parent)
+    : QWidget(parent), m_verdict(new QLabel), m_progress(new QProgressBar), m_bars(new PictureBars),
+      m_canvas(new BoardCanvas), m_straight(new BoardCanvas), m_facts(new FactList), m_model(new QComboBox)
+{
+    m_verdict->setWordWrap(true);
+    m_verdict->setTextFormat(Qt::PlainText);
+    m_verdict->setAccessibleName(tr("Verdict"));
+    m_verdict->setStyleSheet(QStringLiteral("font-size: 12pt"));
+    m_progress->setRange(0, wholeResult);
+    m_progress->setAccessibleName(tr("Solving"));
+    m_model->addItem(tr("Lens model chosen by itself"), chosenByItself);
+    m_model->addItem(tr("Ordinary lens"), int(LensModel::Standard));
+    m_model->addItem(tr("Wide lens (rational model)"), int(LensModel::Rational));
+    m_model->addItem(tr("Fisheye"), int(LensModel::Fisheye));
+    m_model->setAccessibleName(tr("Lens model"));
+    m_canvas->setEmptyText(tr("Choose a bar to see its picture."));
+    m_straight->setEmptyText(tr("Stands here once the lens is known."));
+    auto *pictures = new QTabWidget;
+    pictures->addTab(m_canvas, tr("Picture and &residuals"));
+    pictures->addTab(m_straight, tr("&Straightened"));
+    pictures->setDocumentMode(true);
+    auto *row = new QHBoxLayout;
+    row->addWidget(pictures, 1);
+    row->addWidget(makeFigures());
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_verdict);
+    layout->addWidget(m_progress);
+    layout->addLayout(row, 1);
+    connect(m_bars, &PictureBars::thresholdChanged, this, &LensResultPage::solveAgain);
+    connect(m_bars, &PictureBars::currentChanged, this, &LensResultPage::showPicture);
+    connect(m_model, &QComboBox::currentIndexChanged, this, &LensResultPage::solve);
+    connect(&m_solver, &LensSolver::solved, this, &LensResultPage::showAnswer);
+    connect(&m_solver, &LensSolver::failed, this, &LensResultPage::showFailure);
+    connect(&m_solver, &LensSolver::progressed, this, [this](double fraction, const QString &text) {
+        m_progress->setValue(int(fraction * wholeResult));
+        m_progress->setFormat(text);
+    });
+}
+
+QWidget *LensResultPage::makeFigures()
+{
+    auto *errors = new Card(tr("Error by picture"));
+    errors->setContent(m_bars);
+    auto *facts = new Card(tr("Lens"));
+    facts->addToHeader(m_model);
+    facts->setContent(scrolled(m_facts, tr("What is known of the lens")));
+    auto *figures = new QWidget;
+    figures->setFixedWidth(figuresWidth);
+    auto *layout = new QVBoxLayout(figures);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(errors);
+    layout->addWidget(facts, 1);
+    return figures;
+}
+
+void LensResultPage::begin(const SearchState &pictures)
+{
+    m_pictures = pictures;
+    m_bars->setBars({}, {});
+    m_canvas->setContent({});
+    m_straight->setContent({});
+    solve();
+}
+
+void LensResultPage::solve()
+{
+    m_all.reset();
+    LensQuestion question;
+    question.size = m_pictures.size;
+    for (const KeptPicture &picture : m_pictures.kept)
+        question.views.push_back(picture.board.view);
+    if (const int model = m_model->currentData().toInt(); model != chosenByItself)
+        question.model = LensModel(model);
+    ask(std::move(question));
+}
+
+void LensResultPage::solveAgain(double mostRmsPx)
+{
+    if (!m_all)
+        return;
+    LensQuestion question;
+    question.size = m_pictures.size;
+    question.reference = m_all;
+    question.chosen = picturesWithin(*m_all, mostRmsPx);
+    ask(std::move(question));
+}
+
+void LensResultPage::ask(LensQuestion question)
+{
+    m_calibration.reset();
+    m_verdict->setText(tr("Solving…"));
+    m_progress->setValue(0);
+    m_progress->setVisible(true);
+    if (!m_pictures.kept.empty())
+        question.example = m_pictures.kept.front().image;
+    m_solver.solve(std::move(question));
+    Q_EMIT completeChanged();
+}
+
+const CalibrationPicture *LensResultPage::outcomeOf(int index) const
+{
+    if (!m_calibration)
+        return nullptr;
+    const auto found =
+        std::ranges::find(m_calibration->pictures, m_pictures.kept[std::size_t(index)].board.view.source,
+                          [](const CalibrationPicture &picture) { return picture.view.source; });
+    return found == m_calibration->pictures.end() ? nullptr : &*found;
+}
+
+void LensResultPage::showAnswer(const LensAnswer &answer)
+{
+    m_calibration = answer.calibration;
+    if (!m_all)
+        m_all = m_calibration;
+    m_progress->setVisible(false);
+    m_verdict->setText(shownWords(m_calibration->verdict));
+    QStringList names;
+    std::vector<double> errors;
+    for (int i = 0; i < int(m_pictures.kept.size()); ++i) {
+        names << m_pictures.kept[std::size_t(i)].name;
+        // The threshold is laid over the errors of the lens that all pictures gave: it must not run away
+        // while dragged.
+        const std::string &source = m_pictures.kept[std::size_t(i)].board.view.source;
+        const auto found = std::ranges::find(
+            m_all->pictures, source, [](const CalibrationPicture &picture) { return picture.view.source; });
+        errors.push_back(found == m_all->pictures.end() ? 0 : found->rmsPx);
+    }
+    m_bars->setBars(names, errors);
+    showFigures();
+    m_straight->setContent(
+        {answer.straightened, m_pictures.size, {}, true, {}, {}, {}, tr("straight edges must be straight")});
+    m_bars->setCurrent(std::max(0, m_bars->current()));
+    showPicture(m_bars->current());
+    Q_EMIT completeChanged();
+}
+
+void LensResultPage::showSaving()
+{
+    m_verdict->setText(tr("Storing the lens and its pictures…"));
+}
+
+void LensResultPage::showNotSaved(const Error &error)
+{
+    m_verdict->setText(tr("The lens was not stored. %1").arg(errorLine(error)));
+}
+
+void LensResultPage::showFigures()
+{
+    const IntrinsicCalibration &calibration = *m_calibration;
+    const Intrinsics &lens = calibration.intrinsics;
+    m_facts->setFacts(
+        {{tr("Model"), tr("%1: %2").arg(modelName(lens.model), shownWords(calibration.lensReason)), {}},
+         {tr("Pictures"), tr("%1 of %2").arg(calibration.picturesUsed()).arg(m_pictures.kept.size()), {}},
+         {tr("Board error"), px(calibration.rmsPx, 3), {}},
+         {tr("Held-out error"),
+          calibration.crossValidationPx > 0 ? px(calibration.crossValidationPx, 3) : tr("needs six pictures"),
+          {}},
+         {tr("Corners left out"), QLocale().toString(qulonglong(calibration.cornersLeftOut())), {}},
+         {tr("Focal length"), withSigma(lens, lens.fxPx, 0), {}},
+         {tr("Centre x"), withSigma(lens, lens.cxPx, 2), {}},
+         {tr("Centre y"), withSigma(lens, lens.cyPx, 3), {}}});
+}
+
+void LensResultPage::showFailure(const Error &error)
+{
+    m_progress->setVisible(false);
+    m_verdict->setText(shownWords(error.why + "; " + error.advice + "."));
+    m_facts->setFacts({});
+    Q_EMIT completeChanged();
+}
+
+void LensResultPage::showPicture(int index)
+{
+    if (index < 0 || index >= int(m_pictures.kept.size()))
+        return;
+    const KeptPicture &picture = m_pictures.kept[std::size_t(index)];
+    BoardCanvas::Content content{picture.image, m_pictures.size, picture.board.view.pixels, false, {}, {}, {},
+                                 picture.name};
+    if (const CalibrationPicture *outcome = outcomeOf(index)) {
+        content.counts = outcome->used;
+        content.residuals = outcome->residualsPx;
+    }
+    m_canvas->setContent(std::move(content));
+}
+
+namespace {
+
+constexpr double left = 48, right = 10, top = 12, bottom = 22;
+constexpr double grabPx = 7, keyStep = 1.05;
+constexpr double looseFactor = 1.5; // the threshold begins so far above the worst picture
+
+QString pixels(double px)
+{
+    return QLocale().toString(px, 'f', px < 1 ? 2 : 1);
+}
+
+} // namespace
+
+PictureBars::PictureBars(QWidget *parent) : QWidget(parent)
+{
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setAccessibleName(tr("Error of each picture, with a threshold"));
+}
+
+void PictureBars::setBars(const QStringList &names, std::vector<double> errorsPx)
+{
+    m_names = names;
+    m_errors = std::move(errorsPx);
+    if (m_threshold <= 0 && !m_errors.empty())
+        m_threshold = looseFactor * *std::max_element(m_errors.begin(), m_errors.end());
+    m_current = std::min(m_current, int(m_errors.size()) - 1);
+    update();
+}
+
+void PictureBars::setCurrent(int index)
+{
+    if (index == m_current || index < 0 || index >= int(m_errors.size()))
+        return;
+    m_current = index;
+    update();
+    Q_EMIT currentChanged(index);
+}
+
+QRectF PictureBars::plotRect() const
+{
+    return QRectF(rect()).adjusted(left, top, -right, -bottom);
+}
+
+double PictureBars::topPx() const
+{
+    const double worst = m_errors.empty() ? 1 : *std::max_element(m_errors.begin(), m_errors.end());
+    return std::max({1.15 * worst, 1.1 * m_threshold, 0.05});
+}
+
+double PictureBars::yOf(double errorPx) const
+{
+    const QRectF plot = plotRect();
+    return plot.bottom() - plot.height() * std::min(1.0, errorPx / topPx());
+}
+
+int PictureBars::barAt(const QPointF &place) const
+{
+    const QRectF plot = plotRect();
+    if (m_errors.empty() || !plot.contains(place))
+        return -1;
+    return std::min(int((place.x() - plot.x()) * double(m_errors.size()) / plot.width()),
+                    int(m_errors.size()) - 1);
+}
+
+void PictureBars::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const ThemeColours colours = ThemeColours::of(palette());
+    painter.fillRect(rect(), colours.card);
+    const QRectF plot = plotRect();
+    painter.setPen(colours.grid);
+    for (const double part : {0.0, 0.5, 1.0}) {
+        const double y = plot.bottom() - part * plot.height();
+        painter.setPen(colours.grid);
+        painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
+        painter.setPen(colours.muted);
+        painter.drawText(QRectF(0, y - 10, left - 6, 20), Qt::AlignRight | Qt::AlignVCenter,
+                         pixels(part * topPx()));
+    }
+    const double step = m_errors.empty() ? 0 : plot.width() / double(m_errors.size());
+    const double gap = std::min(4.0, 0.2 * step);
+    for (std::size_t i = 0; i < m_errors.size(); ++i) {
+        const QRectF bar(plot.x() + double(i) * step + gap / 2, yOf(m_errors[i]), step - gap,
+                         plot.bottom() - yOf(m_errors[i]));
+        const bool counts = m_errors[i] <= m_threshold;
+        painter.fillRect(bar, counts ? QBrush(colours.accent) : QBrush(colours.spike, Qt::BDiagPattern));
+        painter.setPen(int(i) == m_current ? QPen(colours.text, 2)
+                                           : QPen(counts ? colours.accent : colours.spike, 1));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(bar);
+    }
+    const double y = yOf(m_threshold);
+    painter.setPen(QPen(colours.text, 1.5, Qt::DashLine));
+    painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
+    painter.setBrush(colours.text);
+    painter.drawEllipse(QPointF(plot.right(), y), 4, 4);
+    painter.setPen(colours.text);
+    painter.drawText(
+        QRectF(plot.left(), height() - bottom, plot.width(), bottom), Qt::AlignCenter,
+        m_current >= 0
+            ? tr("%1: %2 px").arg(m_names.value(m_current), pixels(m_errors[std::size_t(m_current)]))
+            : tr("pictures; above %1 px they do not count").arg(pixels(m_threshold)));
+    if (hasFocus()) {
+        painter.setPen(colours.accent);
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+    }
+}
+
+void PictureBars::setThreshold(double px)
+{
+    // Three pictures at least must stay: fewer tell nothing.
+    std::vector<double> sorted = m_errors;
+    std::sort(sorted.begin(), sorted.end());
+    m_threshold = std::max(px, sorted.size() >= 3 ? sorted[2] : px);
+    update();
+}
+
+void PictureBars::mousePressEvent(QMouseEvent *event)
+{
+    if (std::abs(event->position().y() - yOf(m_threshold)) <= grabPx)
+        m_dragging = true;
+    else
+        setCurrent(barAt(event->position()));
+}
+
+void PictureBars::mouseMoveEvent(QMouseEvent *event)
+{
+    const bool near = m_dragging || std::abs(event->position().y() - yOf(m_threshold)) <= grabPx;
+    setCursor(near ? Qt::SizeVerCursor : Qt::ArrowCursor);
+    if (!m_dragging)
+        return;
+    const QRectF plot = plotRect();
+    setThreshold(topPx() * (plot.bottom() - event->position().y()) / plot.height());
+}
+
+void PictureBars::mouseReleaseEvent(QMouseEvent *)
+{
+    if (std::exchange(m_dragging, false))
+        Q_EMIT thresholdChanged(m_threshold);
+}
+
+void PictureBars::keyPressEvent(QKeyEvent *event)
+{
+    switch (event->key()) {
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+        setThreshold(event->key() == Qt::Key_Up ? m_threshold * keyStep : m_threshold / keyStep);
+        Q_EMIT thresholdChanged(m_threshold);
+        break;
+    case Qt::Key_Left:
+        setCurrent(std::max(0, m_current - 1));
+        break;
+    case Qt::Key_Right:
+        setCurrent(m_current + 1);
+        break;
+    default:
+        QWidget::keyPressEvent(event);
+    }
+}
+
+} // namespace odo

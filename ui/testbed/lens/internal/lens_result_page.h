@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/testbed/lens/internal/board_search.h"
+#include "ui/testbed/lens/internal/lens_solver.h"
+
+#include <QStringList>
+#include <QWidget>
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QStackedWidget;
+class QTabWidget;
+
+namespace odo {
+
+class BoardCanvas;
+class Card;
+class FactList;
+class PictureBars;
+
+/// Third page of the lens wizard: the lens in words and millimetres, how well each picture fits, what leaving
+/// some out changes, and a picture straightened by it.
+class LensResultPage : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit LensResultPage(QWidget *parent = nullptr);
+
+    /// Solves for these pictures from the start.
+    void begin(const SearchState &pictures);
+    void cancel() { m_solver.cancel(); }
+    /// While the lens is being stored, and when that failed: it still stands here.
+    void showSaving();
+    void showNotSaved(const Error &error);
+    /// The lens that stands there; none while it is being solved, or where it could not.
+    const std::optional<IntrinsicCalibration> &calibration() const { return m_calibration; }
+    const std::vector<KeptPicture> &pictures() const { return m_pictures.kept; }
+
+Q_SIGNALS:
+    void completeChanged();
+
+private:
+    QWidget *makeFigures();
+    void solve();
+    void solveAgain(double mostRmsPx);
+    void ask(LensQuestion question);
+    void showFigures();
+    const CalibrationPicture *outcomeOf(int index) const;
+    void showAnswer(const LensAnswer &answer);
+    void showFailure(const Error &error);
+    void showPicture(int index);
+
+    SearchState m_pictures;
+    std::optional<IntrinsicCalibration> m_all; ///< from all pictures: what a threshold starts from
+    std::optional<IntrinsicCalibration> m_calibration;
+    LensSolver m_solver;
+    QLabel *m_verdict;
+    QProgressBar *m_progress;
+    PictureBars *m_bars;
+    BoardCanvas *m_canvas, *m_straight;
+    FactList *m_facts;
+    QComboBox *m_model;
+};
+
+/// How well each picture fits, as bars, with a threshold to drag (mouse, or the keys Up and Down); Left and
+/// Right choose a picture. Bars above the threshold are hatched: they do not count.
+class PictureBars : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit PictureBars(QWidget *parent = nullptr);
+    /// Keeps the threshold unless there was none.
+    void setBars(const QStringList &names, std::vector<double> errorsPx);
+    double threshold() const { return m_threshold; }
+    int current() const { return m_current; }
+    void setCurrent(int index);
+
+    QSize sizeHint() const override { return {420, 170}; }
+    QSize minimumSizeHint() const override { return {240, 120}; }
+
+Q_SIGNALS:
+    void thresholdChanged(double px); ///< when the line was let go, or a key was pressed
+    void currentChanged(int index);
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+
+private:
+    QRectF plotRect() const;
+    double topPx() const; ///< error at the upper end of the plot
+    double yOf(double errorPx) const;
+    int barAt(const QPointF &place) const;
+    void setThreshold(double px);
+
+    QStringList m_names;
+    std::vector<double> m_errors;
+    double m_threshold = 0;
+    int m_current = -1;
+    bool m_dragging = false;
+};
+
+} // namespace odo

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/chained_registration.h"
+#include "ui/testbed/check/check_camera.h"
+#include "ui/testbed/floor/floor_camera.h"
+#include "ui/testbed/floor/still_picture.h"
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+#include <vector>
+
+class QAction;
+class QLabel;
+class QTableWidget;
+
+namespace odo {
+
+class MarkerCanvas;
+class RegistrationVerdict;
+
+/// The pictures of two cameras between which points of the floor are told to be the same.
+struct PicturePair
+{
+    StillPicture camera, through;
+};
+
+/// Second page of registering a camera through another one: the same points in both pictures, and at once
+/// where the camera stands. Markers of the registered camera's layout that both see are there from the start.
+class SharedPointsPage : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit SharedPointsPage(QWidget *parent = nullptr);
+
+    /// While the pictures are being got.
+    void wait(const QString &words);
+    void showFailure(const Error &error);
+    /// What was found stands: it can be tried again.
+    void showNotSaved(const Error &error);
+    void begin(std::shared_ptr<const PicturePair> pictures, const FloorCamera &camera,
+               const CheckCamera &through);
+
+    MarkerCanvas &canvas() { return *m_canvas; }
+    MarkerCanvas &throughCanvas() { return *m_throughCanvas; }
+    /// Those that are put in both pictures.
+    std::vector<SharedPoint> points() const;
+    /// What they say now; none where they do not determine it.
+    const std::optional<ChainedRegistration> &registration() const { return m_registration; }
+
+Q_SIGNALS:
+    void completeChanged();
+
+private:
+    struct Point
+    {
+        QString label;
+        std::optional<Eigen::Vector2d> pixel, throughPixel;
+    };
+
+    QWidget *makeSide();
+    QWidget *makeTable();
+    void place(std::optional<Eigen::Vector2d> Point::*where, const Frame &frame, const QString &label,
+               const Eigen::Vector2d &pixel, bool snap);
+    void goOnFrom(int row);
+    void removeCurrent();
+    void undo();
+    void addEmptyPoint();
+    void evaluate();
+    void showPoints();
+    QString currentLabel() const;
+    void select(const QString &label);
+
+    std::shared_ptr<const PicturePair> m_pictures;
+    FloorCamera m_camera;
+    std::optional<CheckCamera> m_through;
+    std::vector<Point> m_points;
+    std::vector<std::vector<Point>> m_before; ///< for undo
+    std::optional<ChainedRegistration> m_registration;
+    MarkerCanvas *m_canvas, *m_throughCanvas;
+    QLabel *m_name, *m_throughName;
+    QTableWidget *m_table;
+    RegistrationVerdict *m_verdict;
+    QAction *m_remove, *m_undo;
+};
+
+} // namespace odo

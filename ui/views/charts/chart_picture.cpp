@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/charts/chart_picture.h"
+
+#include "core/exchange/file_name.h"
+#include "core/files/output_file.h"
+#include "ui/models/core_words.h"
+#include "ui/views/charts/series_colours.h"
+#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/theme.h"
+
+#include <QAction>
+#include <QBuffer>
+#include <QClipboard>
+#include <QDir>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPaintEngine>
+#include <QPainter>
+#include <QStandardPaths>
+#include <QSvgGenerator>
+#include <QWidget>
+#include <utility>
+
+namespace odo {
+
+namespace {
+
+constexpr int margin = 8;
+constexpr double dotsPerPixel = 3; // 288 dots an inch: enough for print
+const QString svgEnding = QStringLiteral("svg");
+
+/// A widget as it looks in light, while it lives. Nothing is seen of it: the screen is painted later.
+class InLight
+{
+public:
+    explicit InLight(QWidget &widget)
+        : m_widget(widget), m_isOwn(widget.testAttribute(Qt::WA_SetPalette)), m_before(widget.palette())
+    {
+        widget.setPalette(lightPalette());
+    }
+    ~InLight() { m_widget.setPalette(m_isOwn ? m_before : QPalette()); }
+    Q_DISABLE_COPY_MOVE(InLight)
+
+private:
+    QWidget &m_widget;
+    bool m_isOwn;
+    QPalette m_before;
+};
+
+QByteArray pngOf(const QImage &image)
+{
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    image.save(&buffer, "png");
+    return bytes;
+}
+
+} // namespace
+
+QString PictureHeading::title() const
+{
+    QStringList names = runs;
+    names.removeAll(QString());
+    return names.isEmpty() ? what : what + QStringLiteral(" · ") + names.join(QStringLiteral(", "));
+}
+
+ChartPicture::ChartPicture(QWidget &plot, std::function<PictureHeading()> heading, SeriesKey *key)
+    : QObject(&plot), m_plot(plot), m_heading(std::move(heading)), m_key(key)
+{
+    auto *copyIt = new QAction(tr("&Copy as a picture"), &plot);
+    copyIt->setShortcut(QKeySequence::Copy);
+    copyIt->setShortcutContext(Qt::WidgetShortcut);
+    auto *saveIt = new QAction(tr("&Save as a picture…"), &plot);
+    connect(copyIt, &QAction::triggered, this, &ChartPicture::copy);
+    connect(saveIt, &QAction::triggered, this, &ChartPicture::askSave);
+    plot.addActions({copyIt, saveIt});
+    plot.setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+bool ChartPicture::isPaintedBy(const QPainter &painter, const QWidget &plot)
+{
+    return painter.paintEngine()->type() == QPaintEngine::SVG ||
+           painter.deviceTransform().m11() > plot.devicePixelRatioF();
+}
+
+int ChartPicture::headHeight() const
+{
+    return m_plot.fontMetrics().height() + 2 * margin;
+}
+
+QSize ChartPicture::size() const
+{
+    return m_plot.size() + QSize(0, headHeight());
+}
+
+void ChartPicture::paintHead(QPainter &painter) const
+{
+    const PictureHeading heading = m_heading();
+    const ThemeColours colours = ThemeColours::of(lightPalette());
+    const bool hasKey = m_key && !m_key->isHidden();
+    QRect room(margin, 0, m_plot.width() - 2 * margin - (hasKey ? m_key->width() : 0), headHeight());
+    QFont bold = m_plot.font();
+    bold.setBold(true);
+    const QFontMetrics metrics(bold);
+    painter.setFont(bold);
+    painter.setPen(colours.text);
+    const QString title = metrics.elidedText(heading.title(), Qt::ElideMiddle, room.width());
+    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, title);
+    room.setLeft(room.left() + metrics.horizontalAdvance(title) + 2 * margin);
+    painter.setFont(m_plot.font());
+    painter.setPen(colours.muted);
+    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
+                     m_plot.fontMetrics().elidedText(heading.remark, Qt::ElideRight, room.width()));
+    if (!hasKey)
+        return;
+    const InLight light(*m_key);
+    m_key->render(&painter,
+                  QPoint(m_plot.width() - margin - m_key->width(), (headHeight() - m_key->height()) / 2), {},
+                  QWidget::DrawChildren);
+}
+
+void ChartPicture::paint(QPainter &painter) const
+{
+    painter.fillRect(QRect(QPoint(), size()), Qt::white);
+    paintHead(painter);
+    const InLight light(m_plot);
+    m_plot.render(&painter, QPoint(0, headHeight()), {}, QWidget::DrawChildren);
+}
+
+QByteArray ChartPicture::svg() const
+{
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    QSvgGenerator generator;
+    generator.setOutputDevice(&buffer);
+    generator.setSize(size());
+    generator.setViewBox(QRect(QPoint(), size()));
+    generator.setResolution(m_plot.logicalDpiX());
+    generator.setTitle(m_heading().title());
+    QPainter painter(&generator);
+    paint(painter);
+    painter.end();
+    return bytes;
+}
+
+QImage ChartPicture::image() const
+{
+    const double scale = dotsPerPixel * m_plot.devicePixelRatioF();
+    QImage image((QSizeF(size()) * scale).toSize(), QImage::Format_RGB32);
+    image.setDevicePixelRatio(scale);
+    QPainter painter(&image);
+    painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
+    paint(painter);
+    return image;
+}
+
+Result<void> ChartPicture::save(const OutputTarget &target) const
+{
+    const bool isSvg = QFileInfo(textOf(target.file)).suffix().compare(svgEnding, Qt::CaseInsensitive) == 0;
+    const QByteArray bytes = isSvg ? svg() : pngOf(image());
+    return writeOutput(target, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+}
+
+void ChartPicture::copy() const
+{
+    auto *content = new QMimeData;
+    content->setImageData(image());
+    content->setData(QStringLiteral("image/svg+xml"), svg());
+    QGuiApplication::clipboard()->setMimeData(content);
+}
+
+void ChartPicture::askSave() const
+{
+    const QDir folder(QStandardPaths::writableLocation(QStandardPaths::PicturesLocation));
+    const QString name = QString::fromStdString(fileNameOf(m_heading().title().toStdString()));
+    const auto chosen = askOutput(&m_plot, tr("Save as a picture"), folder.filePath(name + u'.' + svgEnding),
+                                  {{tr("SVG pictures (*.svg)"), svgEnding, FileKind::Svg},
+                                   {tr("PNG pictures (*.png)"), QStringLiteral("png"), FileKind::Png}});
+    if (!chosen)
+        return;
+    if (const auto saved = save(chosen->target); !saved) {
+        QMessageBox told(QMessageBox::Warning, tr("Save as a picture"), errorInWords(saved.error()),
+                         QMessageBox::Ok, &m_plot);
+        told.setTextFormat(Qt::PlainText);
+        told.exec();
+    }
+}
+
+namespace {
+
+void drawOn(QPainter &painter, const QWidget &view, const StillLayer::Draw &draw)
+{
+    painter.setFont(view.font());
+    painter.setRenderHint(QPainter::Antialiasing);
+    draw(painter);
+}
+
+} // namespace
+
+void StillLayer::paint(QPainter &painter, const QWidget &view, const QColor &ground, const Draw &draw)
+{
+    if (ChartPicture::isPaintedBy(painter, view)) {
+        painter.fillRect(view.rect(), ground);
+        drawOn(painter, view, draw);
+        return;
+    }
+    if (m_picture.isNull()) {
+        m_picture = QPixmap((QSizeF(view.size()) * view.devicePixelRatioF()).toSize());
+        m_picture.setDevicePixelRatio(view.devicePixelRatioF());
+        m_picture.fill(ground);
+        add(view, draw);
+    }
+    painter.drawPixmap(0, 0, m_picture);
+}
+
+void StillLayer::add(const QWidget &view, const Draw &draw)
+{
+    if (m_picture.isNull())
+        return;
+    QPainter painter(&m_picture);
+    drawOn(painter, view, draw);
+}
+
+} // namespace odo

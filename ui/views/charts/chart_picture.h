@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/files/output_file.h"
+
+#include <QImage>
+#include <QObject>
+#include <QPixmap>
+#include <QStringList>
+#include <functional>
+
+class QColor;
+class QPainter;
+class QWidget;
+
+namespace odo {
+
+class SeriesKey;
+
+/// What stands above a picture.
+struct PictureHeading
+{
+    QString what;     ///< "Speed"
+    QStringList runs; ///< of which; empty names are left out
+    QString remark;   ///< the unit, say
+    /// "Speed · run 1, run 2"
+    QString title() const;
+};
+
+/// A chart or map as a picture for other documents: what it shows, with its heading and the key to its lines
+/// above, on white whatever the theme is, and without the frame of the focus. The plot gets two actions for
+/// it, in its context menu: copy (also by the keys of copying while it has the focus) and save, as SVG, whose
+/// lines and words stay such, or as PNG of three dots a logical pixel. Child of the plot. GUI thread.
+class ChartPicture : public QObject
+{
+    Q_OBJECT
+public:
+    /// The heading's title is also the proposed file's name. key: nullptr: none; must outlive the plot's
+    /// actions.
+    ChartPicture(QWidget &plot, std::function<PictureHeading()> heading, SeriesKey *key = nullptr);
+
+    QByteArray svg() const;
+    QImage image() const;
+    /// As SVG where the file's ending says so, else as PNG. Errors: those of OutputFile.
+    Result<void> save(const OutputTarget &target) const;
+    void copy() const;
+
+    /// Whether a painter paints a plot for one of these rather than for the screen.
+    static bool isPaintedBy(const QPainter &painter, const QWidget &plot);
+
+private:
+    QSize size() const;
+    int headHeight() const;
+    void paint(QPainter &painter) const;
+    void paintHead(QPainter &painter) const;
+    void askSave() const;
+
+    QWidget &m_plot;
+    std::function<PictureHeading()> m_heading;
+    SeriesKey *m_key;
+};
+
+/// What of a view does not change with the time, kept as a picture of its size, so that moving the cursor
+/// costs a copy. GUI thread.
+class StillLayer
+{
+public:
+    using Draw = std::function<void(QPainter &)>;
+
+    /// Paints it over the whole view; where it was forgotten it is drawn anew, beginning with the colour of
+    /// the ground. Drawn and not kept where it is painted for a ChartPicture.
+    void paint(QPainter &painter, const QWidget &view, const QColor &ground, const Draw &draw);
+    /// Draws more on it, if it is there.
+    void add(const QWidget &view, const Draw &draw);
+    /// After what it shows has changed, or the size, palette or font of the view.
+    void forget() { m_picture = {}; }
+
+private:
+    QPixmap m_picture; ///< null: to be drawn
+};
+
+} // namespace odo

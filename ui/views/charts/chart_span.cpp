@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/charts/chart_span.h"
+
+#include "core/analysis/motion_stretches.h"
+#include "ui/models/timeline.h"
+#include "ui/views/charts/profile_curve.h"
+
+#include <QAction>
+#include <algorithm>
+#include <cmath>
+
+namespace odo {
+namespace {
+constexpr double narrowest = 1e-4; // of the whole
+constexpr double keyStep = 1.5;
+} // namespace
+
+ChartSpan::ChartSpan(Timeline &timeline, QObject *parent) : QObject(parent), m_timeline(timeline)
+{
+    makeActions();
+    connect(&m_timeline, &Timeline::currentChanged, this, &ChartSpan::followTime);
+}
+
+void ChartSpan::makeActions()
+{
+    const auto add = [this](const QString &name, const QString &text, const QKeySequence &key) {
+        auto *action = new QAction(text, this);
+        action->setObjectName(name);
+        action->setShortcut(key);
+        m_actions << action;
+        return action;
+    };
+    const auto about = [this] { return std::clamp(cursorPlace(m_timeline.currentTime()), m_low, m_high); };
+    connect(add(QStringLiteral("zoomIn"), tr("Charts: show &less"), QKeySequence(Qt::CTRL | Qt::Key_Plus)),
+            &QAction::triggered, this, [this, about] { zoom(keyStep, about()); });
+    connect(add(QStringLiteral("zoomOut"), tr("Charts: show &more"), QKeySequence(Qt::CTRL | Qt::Key_Minus)),
+            &QAction::triggered, this, [this, about] { zoom(1 / keyStep, about()); });
+    connect(add(QStringLiteral("zoomAll"), tr("Charts: show &all"), QKeySequence(Qt::CTRL | Qt::Key_0)),
+            &QAction::triggered, this, [this] { showAll(); });
+    m_distance =
+        add(QStringLiteral("againstDistance"), tr("Charts against the &distance"), QKeySequence(Qt::Key_D));
+    m_distance->setCheckable(true);
+    connect(m_distance, &QAction::toggled, this,
+            [this](bool on) { setAgainst(on ? Against::Distance : Against::Time); });
+}
+
+void ChartSpan::setScene(TrialScenePtr scene)
+{
+    if (scene == m_scene)
+        return;
+    m_scene = std::move(scene);
+    makePlaces();
+}
+
+void ChartSpan::setAgainst(Against against)
+{
+    m_distance->setChecked(against == Against::Distance);
+    if (against == m_against)
+        return;
+    m_against = against;
+    makePlaces();
+}
+
+void ChartSpan::makePlaces()
+{
+    auto all = std::make_shared<SamplePlaces>();
+    m_wholeLow = m_wholeHigh = 0;
+    for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot) {
+        std::vector<double> places;
+        if (const auto &analysis = m_scene->robots[robot].analysis) {
+            const Profile &profile = analysis->profile;
+            places = m_against == Against::Distance ? drivenWay(profile.samples, profile.points)
+                                                    : sampleTimes(profile);
+            if (m_against == Against::Distance && !places.empty())
+                m_wholeHigh = std::max(m_wholeHigh, places.back());
+        }
+        all->push_back(std::move(places));
+    }
+    m_places = std::move(all);
+    if (m_against == Against::Time && m_scene && !m_scene->frameTimes().empty()) {
+        m_wholeLow = toSeconds(m_scene->frameTimes().front());
+        m_wholeHigh = toSeconds(m_scene->frameTimes().back());
+    }
+    if (m_wholeHigh <= m_wholeLow)
+        m_wholeHigh = m_wholeLow + 1;
+    m_low = m_wholeLow;
+    m_high = m_wholeHigh;
+    Q_EMIT axisChanged();
+}
+
+void ChartSpan::show(double low, double high)
+{
+    const double whole = m_wholeHigh - m_wholeLow;
+    if (!std::isfinite(low) || !std::isfinite(high) || high < low)
+        return;
+    const double width = std::clamp(high - low, narrowest * whole, whole);
+    low = std::clamp((low + high - width) / 2, m_wholeLow, m_wholeHigh - width);
+    if (low == m_low && low + width == m_high)
+        return;
+    m_low = low;
+    m_high = low + width;
+    Q_EMIT spanChanged();
+}
+
+void ChartSpan::zoom(double factor, double about)
+{
+    show(about - (about - m_low) / factor, about + (m_high - about) / factor);
+}
+
+void ChartSpan::pan(double share)
+{
+    const double width = m_high - m_low;
+    const double low = std::clamp(m_low + share * width, m_wholeLow, m_wholeHigh - width);
+    show(low, low + width);
+}
+
+void ChartSpan::followTime()
+{
+    if (showsAll())
+        return;
+    const double place = cursorPlace(m_timeline.currentTime()), width = m_high - m_low;
+    if (place > m_high)
+        show(place - 0.1 * width, place + 0.9 * width);
+    else if (place < m_low)
+        show(place - 0.9 * width, place + 0.1 * width);
+}
+
+std::size_t ChartSpan::firstTracked() const
+{
+    const auto tracked = std::find_if(m_places->begin(), m_places->end(),
+                                      [](const std::vector<double> &places) { return !places.empty(); });
+    return static_cast<std::size_t>(tracked - m_places->begin());
+}
+
+double ChartSpan::placeOf(std::size_t robot, Nanoseconds time) const
+{
+    if (m_against == Against::Time)
+        return toSeconds(time);
+    if (robot >= m_places->size() || m_places->at(robot).empty())
+        return 0;
+    const std::vector<double> &places = m_places->at(robot);
+    const std::vector<Sample> &samples = m_scene->robots[robot].analysis->profile.samples;
+    const auto after =
+        std::upper_bound(samples.begin(), samples.end(), time,
+                         [](Nanoseconds wanted, const Sample &sample) { return wanted < sample.time; });
+    if (after == samples.begin())
+        return places.front();
+    if (after == samples.end())
+        return places.back();
+    const auto i = static_cast<std::size_t>(after - samples.begin());
+    const double part =
+        toSeconds(time - samples[i - 1].time) / toSeconds(samples[i].time - samples[i - 1].time);
+    return std::lerp(places[i - 1], places[i], part);
+}
+
+double ChartSpan::cursorPlace(Nanoseconds time) const
+{
+    return placeOf(firstTracked(), time);
+}
+
+Nanoseconds ChartSpan::timeAt(double place) const
+{
+    const std::size_t robot = firstTracked();
+    if (m_against == Against::Time || robot >= m_places->size())
+        return fromSeconds(place);
+    const std::vector<double> &places = m_places->at(robot);
+    const auto at = std::lower_bound(places.begin(), places.end(), place);
+    const auto index = std::min(at - places.begin(), static_cast<std::ptrdiff_t>(places.size()) - 1);
+    return m_scene->robots[robot].analysis->profile.samples[static_cast<std::size_t>(index)].time;
+}
+
+} // namespace odo

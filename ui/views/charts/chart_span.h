@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/models/trial_scene.h"
+
+#include <QList>
+#include <QObject>
+#include <memory>
+#include <vector>
+
+class QAction;
+
+namespace odo {
+
+class Timeline;
+
+/// Where each sample of each robot lies on the axis below, a list a robot; they never fall. Empty for a robot
+/// that was not tracked.
+using SamplePlaces = std::vector<std::vector<double>>;
+
+/// What of a run the charts of a page show: against the time (seconds) or against the way driven (metres),
+/// and from where to where. One for all charts of a page, so that they stand below one another. When the
+/// shared time leaves what is visible, it follows. GUI thread.
+class ChartSpan : public QObject
+{
+    Q_OBJECT
+public:
+    enum class Against { Time, Distance };
+
+    explicit ChartSpan(Timeline &timeline, QObject *parent = nullptr);
+
+    /// Shows all of it, unless it is the scene that is shown.
+    void setScene(TrialScenePtr scene);
+    const TrialScenePtr &scene() const { return m_scene; }
+    Against against() const { return m_against; }
+    void setAgainst(Against against);
+
+    double low() const { return m_low; }
+    double high() const { return m_high; }
+    double wholeLow() const { return m_wholeLow; }
+    double wholeHigh() const { return m_wholeHigh; }
+    /// Shows from low to high: kept inside the whole, and not narrower than a ten-thousandth of it.
+    void show(double low, double high);
+    /// About a place; a factor above 1 shows less.
+    void zoom(double factor, double about);
+    /// By so much of what is visible.
+    void pan(double share);
+    void showAll() { show(m_wholeLow, m_wholeHigh); }
+    bool showsAll() const { return m_low <= m_wholeLow && m_high >= m_wholeHigh; }
+
+    const std::shared_ptr<const SamplePlaces> &places() const { return m_places; }
+    /// Where a robot is at a time, straight between its samples; of one that was not tracked the time itself,
+    /// or 0.
+    double placeOf(std::size_t robot, Nanoseconds time) const;
+    /// The place that the cursor stands at: that of the first robot that was tracked.
+    double cursorPlace(Nanoseconds time) const;
+    /// When the cursor is at a place; where the robot stands, when it came there.
+    Nanoseconds timeAt(double place) const;
+
+    /// To show less, more, all, and to change what is below: with words and keys, for menus and pages.
+    QList<QAction *> actions() const { return m_actions; }
+
+Q_SIGNALS:
+    void spanChanged(); ///< low or high
+    void axisChanged(); ///< the places
+private:
+    void makeActions();
+    void makePlaces();
+    void followTime();
+    std::size_t firstTracked() const;
+
+    Timeline &m_timeline;
+    TrialScenePtr m_scene;
+    Against m_against = Against::Time;
+    double m_wholeLow = 0, m_wholeHigh = 1, m_low = 0, m_high = 1;
+    std::shared_ptr<const SamplePlaces> m_places = std::make_shared<SamplePlaces>();
+    QList<QAction *> m_actions;
+    QAction *m_distance = nullptr;
+};
+
+} // namespace odo

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/analysis/curve_fit.h"
+#include "core/analysis/quantity_curve.h"
+#include "core/base/units.h"
+#include "ui/models/scene_doubts.h"
+#include "ui/models/trial_scene.h"
+#include "ui/views/charts/chart_painting.h"
+#include "ui/views/charts/chart_picture.h"
+#include "ui/views/charts/trial_curves.h"
+#include "ui/views/widgets/card.h"
+
+#include <QList>
+#include <QWidget>
+#include <optional>
+
+class QComboBox;
+
+namespace odo {
+
+class ChartBubbles;
+class ChartSpan;
+class Timeline;
+
+/// A fit that is drawn over the curve of a robot.
+struct FitOverlay
+{
+    std::size_t robot = 0;
+    Quantity quantity = Quantity::Speed;
+    TimeSpan span;
+    CurveFit fit;
+};
+
+/// The plot of one quantity; inside ProfileChart. A click goes to a time, a drag selects a range; the wheel
+/// shows more or less, with Shift or the middle button what lies beside it; a double click shows all; a
+/// bubble tells how its value was computed. Stretches in which less than usual is known of a robot are
+/// shaded, with words where the mouse rests. What does not change with the time is kept as a picture, so that
+/// moving the cursor costs a copy. Raster only.
+class ChartArea : public QWidget
+{
+    Q_OBJECT
+public:
+    /// span: shared with other charts, with the same scene; must outlive this.
+    ChartArea(Timeline &timeline, ChartSpan &span, Quantity quantity, QWidget *parent = nullptr);
+    ~ChartArea() override;
+
+    void setScene(TrialScenePtr scene);
+    void setQuantity(Quantity quantity);
+    /// nullopt: none. It is drawn where its quantity is shown.
+    void setFit(std::optional<FitOverlay> fit);
+    /// Where a time of the first robot and a value lie, in widget coordinates.
+    QPointF positionOf(Nanoseconds time, double value) const;
+    /// The curves of the scene are there; those of a long one take a moment.
+    bool isSettled() const { return !m_maker->isRunning(); }
+    /// Something is shaded.
+    bool hasDoubtfulStretches() const { return !m_stretches.empty(); }
+
+    QSize sizeHint() const override { return {640, 180}; }
+    QSize minimumSizeHint() const override { return {220, 110}; }
+
+Q_SIGNALS:
+    void settled();
+
+protected:
+    bool event(QEvent *event) override;
+    void paintEvent(QPaintEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+
+private:
+    void rebuild();
+    void setTicks();
+    void forget();
+    QRectF plotRect() const;
+    ChartPlot plot() const;
+    void drawStill(QPainter &painter) const;
+    void drawStretches(QPainter &painter) const;
+    void drawFit(QPainter &painter) const;
+    void drawCursor(QPainter &painter) const;
+    Nanoseconds timeAt(double x) const;
+
+    Timeline &m_timeline;
+    ChartSpan &m_span;
+    Quantity m_quantity;
+    ChartBubbles *m_bubbles;
+    TrialScenePtr m_scene;
+    std::vector<DoubtfulStretch> m_stretches; ///< of the scene
+    CurveMaker *m_maker;
+    std::optional<FitOverlay> m_fit;
+    AxisTicks m_valueTicks;
+    std::optional<double> m_pressedX; ///< of the left button
+    bool m_isDragged = false;
+    double m_pannedX = 0; ///< of the middle button
+    StillLayer m_still;
+};
+
+class ChartArea;
+class SeriesKey;
+struct FitOverlay;
+
+/// One quantity against time, or the way driven, for all robots of a trial: smoothed line with its 95 % band,
+/// measured points, spikes, the range that is selected, and a cursor at the shared time with the value there.
+/// ChartArea tells what the mouse does. Of several quantities the one that is shown is chosen in its header.
+class ProfileChart : public Card
+{
+    Q_OBJECT
+public:
+    ProfileChart(Timeline &timeline, Quantity quantity, QWidget *parent = nullptr);
+    /// The first one is shown at first; quantities must not be empty. span: shared with other charts, must
+    /// outlive this.
+    ProfileChart(Timeline &timeline, ChartSpan &span, QList<Quantity> quantities, QWidget *parent = nullptr);
+    ~ProfileChart() override;
+
+    void setScene(TrialScenePtr scene);
+    void setQuantity(Quantity quantity);
+    Quantity quantity() const { return m_quantity; }
+    /// Drawn where its quantity is shown; nullopt: none.
+    void setFit(std::optional<FitOverlay> fit);
+    QWidget *chartArea() const;
+    /// Its curves are there.
+    bool isSettled() const;
+
+Q_SIGNALS:
+    void quantityChanged();
+    void settled();
+
+private:
+    void describe();
+
+    ChartSpan &m_span;
+    ChartArea *m_area;
+    SeriesKey *m_key;
+    QList<Quantity> m_quantities;
+    QComboBox *m_choice = nullptr; ///< nullptr: there is no choice
+    Quantity m_quantity;
+    TrialScenePtr m_scene;
+};
+
+/// "Speed": the name of a quantity.
+QString quantityName(Quantity quantity);
+
+} // namespace odo

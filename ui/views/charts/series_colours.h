@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/models/trial_scene.h"
+
+#include <QColor>
+#include <QString>
+#include <QStringList>
+#include <QWidget>
+#include <array>
+#include <vector>
+
+class QPalette;
+
+namespace odo {
+
+/// Places in the palette of charts and maps (seriesColour) of robots that are drawn together: a chosen colour
+/// is kept, the others get, in their order, those that nobody chose. Pure.
+std::vector<int> colourPlaces(const std::vector<DrawingColour> &chosen);
+std::vector<int> colourPlaces(const std::vector<RobotRecord> &robots);
+std::vector<int> colourPlaces(const TrialScene &scene);
+
+/// The colour of a robot that need not be told from others: the chosen one, else `plain`. Pure.
+QColor drawnColour(DrawingColour chosen, const QColor &plain, const QPalette &palette);
+
+/// The colour of a place of the palette on pictures, which are what the camera saw in light and dark windows.
+/// Pure.
+QColor colourOnPicture(int place);
+
+/// Every colour that can be chosen, in the order of the palette.
+constexpr std::array<DrawingColour, 6> drawingColours{DrawingColour::Blue,   DrawingColour::Vermilion,
+                                                      DrawingColour::Green,  DrawingColour::Purple,
+                                                      DrawingColour::Orange, DrawingColour::SkyBlue};
+/// "blue"; "by itself" for Automatic.
+QString drawingColourName(DrawingColour colour);
+
+/// Which line is whose: the lines of seriesColour and seriesDash with names beside them, long ones cut in
+/// their middle and whole in the tool tip. Hidden for fewer than two.
+class SeriesKey : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit SeriesKey(QWidget *parent = nullptr);
+    /// places: of their colours in the palette (colourPlaces); by themselves one after the other.
+    void setNames(const QStringList &names, std::vector<int> places = {});
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    QString shown(const QString &name) const;
+    QStringList m_names;
+    std::vector<int> m_places; ///< empty: one after the other
+};
+
+} // namespace odo

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QList>
+#include <QPointF>
+#include <QPolygonF>
+
+namespace odo {
+
+/// What a curve looks like between left and right in so many pixel columns: of each column the first, lowest,
+/// highest and last point, in order, and the next point beyond either end. Points must be sorted by x. Where
+/// there are up to four points a column, they come back as they are; no extreme is lost.
+QList<QPointF> decimated(const QList<QPointF> &points, double left, double right, int columns);
+
+/// Makes a line through fewer of its points, from its first to its last: none of those left out is farther
+/// from it than the tolerance across, and as much along it. For painting: strokes cost by the point, and
+/// thousands of them lie within a fraction of a pixel of one another. In one pass, by a cone that every point
+/// narrows (K. Reumann, A. Witkam 1974, with the tolerance kept as a bound).
+class LineSimplifier
+{
+public:
+    explicit LineSimplifier(double tolerance) : m_tolerance(tolerance) {}
+    void add(const QPointF &point);
+    bool isEmpty() const { return m_kept.isEmpty(); }
+    QPointF last() const { return m_last; }
+    /// The line through what was added since the last call.
+    QPolygonF take();
+
+private:
+    /// The directions in which a straight line may go from an anchor so that it passes all points seen since.
+    class Cone
+    {
+    public:
+        explicit Cone(const QPointF &anchor = {}) : m_anchor(anchor) {}
+        /// False, and unchanged, where no line to this point keeps all points before it.
+        bool takes(const QPointF &point, double tolerance);
+
+    private:
+        QPointF m_anchor;
+        double m_farthest = 0;
+        bool m_isOpen = false;                      ///< a first direction is known
+        double m_middle = 0, m_low = 0, m_high = 0; ///< radians; the bounds from the middle
+    };
+    double m_tolerance;
+    Cone m_cone;
+    QPolygonF m_kept; ///< without the last point, unless it is the only one
+    QPointF m_last;
+    bool m_isLine = false; ///< more than one point was added
+};
+
+/// A whole line through fewer of its points.
+QPolygonF simplified(const QPolygonF &line, double tolerance);
+
+} // namespace odo

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/map/trial_map.h"
+
+#include "ui/models/figure_text.h"
+#include "ui/models/scene_doubts.h"
+#include "ui/models/trial_scene.h"
+#include "ui/views/charts/series_colours.h"
+#include "ui/views/charts/simplified_line.h"
+#include "ui/views/map/floor_picture.h"
+#include "ui/views/map/map_painting.h"
+#include "ui/views/widgets/theme.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+constexpr int colourSteps = 48; // more of them cannot be told apart
+
+class TrailPaintingWords
+{
+    Q_DECLARE_TR_FUNCTIONS(TrailPainting)
+};
+
+constexpr double tolerancePx = 0.2; // less cannot be seen, and strokes cost by the point
+
+/// The way of the smoothed positions, in stretches without gaps.
+QPainterPath wayOf(const Profile &profile, const MapPlan &plan)
+{
+    QPainterPath way;
+    LineSimplifier run(tolerancePx);
+    for (const ProfilePoint &point : profile.points) {
+        if (point.valid)
+            run.add(plan.fromWorld(point.position));
+        else
+            way.addPolygon(run.take());
+    }
+    way.addPolygon(run.take());
+    return way;
+}
+
+} // namespace
+
+double topSpeedMps(const TrialScene &scene)
+{
+    double top = 0;
+    for (const SceneRobot &robot : scene.robots) {
+        if (!robot.analysis)
+            continue;
+        for (const ProfilePoint &point : robot.analysis->profile.points) {
+            if (point.valid)
+                top = std::max(top, point.speedMps);
+        }
+    }
+    return top;
+}
+
+void drawSpeedTrail(QPainter &painter, const MapPlan &plan, const Profile &profile, double topMps,
+                    const QPalette &palette)
+{
+    const QColor rim = isDark(palette) ? QColor(235, 238, 240, 150) : QColor(25, 30, 35, 110);
+    painter.strokePath(wayOf(profile, plan), QPen(rim, 5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    LineSimplifier piece(tolerancePx); // a stretch of one colour
+    int pieceColour = 0;
+    const auto drawPiece = [&] {
+        painter.setPen(QPen(scaleColour(double(pieceColour) / colourSteps), 3, Qt::SolidLine, Qt::RoundCap,
+                            Qt::RoundJoin));
+        painter.drawPolyline(piece.take());
+    };
+    for (const ProfilePoint &point : profile.points) {
+        if (!point.valid) {
+            drawPiece();
+            continue;
+        }
+        const int colour =
+            static_cast<int>(std::lround(topMps > 0 ? colourSteps * point.speedMps / topMps : 0));
+        if (!piece.isEmpty() && colour != pieceColour) {
+            const QPointF joint = piece.last();
+            drawPiece();
+            piece.add(joint);
+        }
+        pieceColour = colour;
+        piece.add(plan.fromWorld(point.position));
+    }
+    drawPiece();
+}
+
+void drawMapDoubts(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const QPalette &palette)
+{
+    constexpr double width = 14;
+    QColor haze = ThemeColours::of(palette).muted;
+    haze.setAlpha(90);
+    for (const DoubtfulStretch &one : doubtfulStretches(scene)) {
+        const Profile &profile = scene.robots[one.robot].analysis->profile;
+        LineSimplifier way(tolerancePx);
+        for (auto i = std::ranges::lower_bound(profile.samples, one.span.begin, {}, &Sample::time) -
+                      profile.samples.begin();
+             i < std::ssize(profile.points) && profile.samples[std::size_t(i)].time <= one.span.end; ++i)
+            if (profile.points[std::size_t(i)].valid)
+                way.add(plan.fromWorld(profile.points[std::size_t(i)].position));
+        painter.setPen(QPen(haze, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.drawPolyline(way.take());
+    }
+}
+
+void drawMapSpikes(QPainter &painter, const MapPlan &plan, const Profile &profile, const QPalette &palette)
+{
+    const ThemeColours colours = ThemeColours::of(palette);
+    painter.setPen(QPen(colours.card, 1));
+    painter.setBrush(colours.spike);
+    for (const Spike &spike : profile.spikes) {
+        const auto index = static_cast<std::size_t>(spike.sampleIndex);
+        if (index >= profile.samples.size())
+            continue;
+        const auto &measured = profile.samples[index].position;
+        if (!measured && !profile.points[index].valid)
+            continue;
+        const QPointF at = plan.fromWorld(measured ? *measured : profile.points[index].position);
+        const QPointF triangle[] = {at + QPointF(-6, 5), at + QPointF(6, 5), at + QPointF(0, -6)};
+        painter.drawConvexPolygon(triangle, 3);
+    }
+}
+
+void drawScaleLegend(QPainter &painter, const MapPlan &plan, const QString &words, const QPalette &palette)
+{
+    constexpr int barWidth = 76, barHeight = 7;
+    const double left = 12, middle = plan.size.height() - MapPlan::footHeight / 2.0 + 1;
+    const ThemeColours colours = ThemeColours::of(palette);
+    QLinearGradient gradient(left, 0, left + barWidth, 0);
+    for (int i = 0; i <= 8; ++i)
+        gradient.setColorAt(i / 8.0, scaleColour(i / 8.0));
+    painter.setPen(QPen(colours.border, 1));
+    painter.setBrush(gradient);
+    painter.drawRect(QRectF(left, middle - barHeight / 2.0, barWidth, barHeight));
+    painter.setPen(colours.muted);
+    painter.drawText(QPointF(left + barWidth + 7, middle + QFontMetricsF(painter.font()).capHeight() / 2),
+                     words);
+}
+
+void drawSpeedLegend(QPainter &painter, const MapPlan &plan, double topMps, const QPalette &palette)
+{
+    if (topMps <= 0)
+        return;
+    const ShownUnit &speed = shownUnits().speed;
+    const double top = speed.perSi * topMps;
+    drawScaleLegend(
+        painter, plan,
+        TrailPaintingWords::tr("0 to %1 %2").arg(QLocale().toString(top, 'f', top < 1 ? 2 : 1), speed.name),
+        palette);
+}
+
+void drawMapFloor(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const FloorPicture &floor,
+                  double opacity, const QPalette &palette)
+{
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    if (!floor.image.isNull()) {
+        painter.setOpacity(opacity);
+        painter.drawImage(QRectF(plan.fromWorld({floor.extent.min().x(), floor.extent.max().y()}),
+                                 plan.fromWorld({floor.extent.max().x(), floor.extent.min().y()})),
+                          floor.image);
+        painter.setOpacity(1);
+    }
+    drawMapFoot(painter, plan, palette);
+    drawMapGrid(painter, plan, palette, !floor.image.isNull());
+    if (scene.layout)
+        drawMapMarkers(painter, plan, *scene.layout, palette);
+    if (scene.task)
+        drawZones(
+            painter, scene.task->zones,
+            [&plan](const Eigen::Vector2d &point) { return plan.fromWorld(point); }, palette);
+}
+
+void drawMapGround(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const FloorPicture &floor,
+                   const QPalette &palette)
+{
+    constexpr double muted = 0.55; // the trail comes first
+    drawMapFloor(painter, plan, scene, floor, muted, palette);
+    if (scene.task)
+        drawReferencePath(
+            painter, scene.task->path,
+            [&plan](const Eigen::Vector2d &point) { return plan.fromWorld(point); }, palette);
+    drawMapDoubts(painter, plan, scene, palette);
+}
+
+void drawMapMarks(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const QPalette &palette)
+{
+    if (scene.task)
+        drawGates(
+            painter, scene.task->gates,
+            [&plan](const Eigen::Vector2d &point) { return plan.fromWorld(point); }, palette);
+    for (const SceneRobot &robot : scene.robots) {
+        if (robot.analysis)
+            drawMapSpikes(painter, plan, robot.analysis->profile, palette);
+    }
+}
+
+void drawTrialRobots(QPainter &painter, const MapPlan &plan, const TrialScene &scene, Nanoseconds time,
+                     const QPalette &palette)
+{
+    const bool alone = scene.robots.size() == 1;
+    const std::vector<int> places = colourPlaces(scene);
+    for (std::size_t robot = 0; robot < scene.robots.size(); ++robot) {
+        const SceneRobot &shown = scene.robots[robot];
+        const std::ptrdiff_t index = shown.analysis ? pointIndexAt(shown.analysis->profile, time) : -1;
+        if (index < 0)
+            continue;
+        const Profile &profile = shown.analysis->profile;
+        const ProfilePoint &point = profile.points[static_cast<std::size_t>(index)];
+        MapRobot sign{&shown.robot,
+                      point.position,
+                      point.sigmaXM,
+                      point.sigmaYM,
+                      drivenHeadingAt(profile, index),
+                      alone ? drawnColour(shown.robot.drawingColour, ThemeColours::of(palette).spike, palette)
+                            : seriesColour(places[robot], palette),
+                      {},
+                      scene.referenceM(robot)};
+        if (!alone)
+            sign.label = QString::fromStdString(shown.robot.name);
+        drawMapRobot(painter, plan, sign, palette);
+    }
+}
+
+} // namespace odo

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/models/trial_scene.h"
+#include "ui/views/map/map_painting.h"
+
+#include <QString>
+
+class QPainter;
+class QPalette;
+
+namespace odo {
+
+struct TrialScene;
+
+/// The fastest valid speed of all robots of a scene: the end of the colour scale. 0 where none was tracked.
+double topSpeedMps(const TrialScene &scene);
+
+/// A smoothed track, coloured by speed from 0 to the top, with a rim so that both ends of the scale stand out
+/// from any floor. Gaps stay open.
+void drawSpeedTrail(QPainter &painter, const MapPlan &plan, const Profile &profile, double topMps,
+                    const QPalette &palette);
+/// A haze under the trail where less than usual is known of a robot.
+void drawMapDoubts(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const QPalette &palette);
+/// A triangle where each spike was measured, or else where the curve is then.
+void drawMapSpikes(QPainter &painter, const MapPlan &plan, const Profile &profile, const QPalette &palette);
+
+/// The colour scale at the foot, with what its ends mean.
+void drawScaleLegend(QPainter &painter, const MapPlan &plan, const QString &words, const QPalette &palette);
+/// The same for speeds, in the unit that is shown; nothing where the top is 0.
+void drawSpeedLegend(QPainter &painter, const MapPlan &plan, double topMps, const QPalette &palette);
+
+struct FloorPicture;
+
+/// The parts of a trial's map in the order of painting, for the screen and for whatever else shows it:
+/// ground, trails (trail_painting.h), marks, legend, robots. In logical pixels, with the painter's font; on a
+/// QImage on any thread.
+
+/// The floor's picture (perhaps none), as strong as `opacity` says, a calm foot for the scale, the grid, the
+/// markers, and the task's zones.
+void drawMapFloor(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const FloorPicture &floor,
+                  double opacity, const QPalette &palette);
+/// That, the task's path, and a haze where less than usual is known of a robot.
+void drawMapGround(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const FloorPicture &floor,
+                   const QPalette &palette);
+/// Gates and spikes.
+void drawMapMarks(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const QPalette &palette);
+/// Each robot where it is at a time; none that is not known then.
+void drawTrialRobots(QPainter &painter, const MapPlan &plan, const TrialScene &scene, Nanoseconds time,
+                     const QPalette &palette);
+
+} // namespace odo

@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/picture/camera_view.h"
+
+#include "ui/models/figure_text.h"
+#include "ui/models/timeline.h"
+#include "ui/models/trial_scene.h"
+#include "ui/views/picture/frame_fetcher.h"
+#include "ui/views/picture/picture_overlay.h"
+#include "ui/views/picture/picture_painting.h"
+#include "ui/views/widgets/theme.h"
+
+#include <QContextMenuEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPixmap>
+#include <QStringList>
+#include <QWidget>
+#include <utility>
+
+namespace odo {
+
+class Timeline;
+
+/// The picture of one view with its overlays; inside CameraView.
+class PictureArea : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit PictureArea(Timeline &timeline, QWidget *parent = nullptr);
+
+    void setScene(TrialScenePtr scene, std::size_t view);
+    void setOverlay(PictureOverlay overlay);
+    void setRobotColour(const QColor &colour);
+    void setOutlinesShown(bool shown);
+    void setPointing(bool pointing);
+    bool isSettled() const;
+    QPointF fromPicture(const QPointF &pixel) const;
+
+    QSize sizeHint() const override { return {480, 270}; }
+    QSize minimumSizeHint() const override { return {160, 90}; }
+
+Q_SIGNALS:
+    void settled();
+    void pointedAt(const QPointF &pixel, const QPoint &global);
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
+    void showEvent(QShowEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void contextMenuEvent(QContextMenuEvent *event) override;
+
+private:
+    const SceneView *sceneView() const;
+    std::optional<qint64> wantedFrame() const;
+    void ask();
+    void showPicture(qint64 frame, const QImage &picture);
+    void showFailure(qint64 frame, const QString &message);
+    QSize pictureSize() const;
+    QRectF pictureRect() const;
+    bool pointAt(const QPoint &place, const QPoint &global);
+    void renderFloorLayer();
+    void paintRobots(QPainter &painter, qint64 frame) const;
+    void paintMessage(QPainter &painter, const QString &message) const;
+
+    Timeline &m_timeline;
+    FrameFetcher m_fetcher;
+    TrialScenePtr m_scene;
+    PictureOverlay m_overlay;
+    RobotLook m_look;
+    std::size_t m_view = 0;
+    QImage m_picture;
+    qint64 m_shownFrame = -1; ///< that m_picture is of
+    bool m_isOutside = false; ///< of the recording, when a frame was asked for last
+    bool m_isPointing = false;
+    QString m_failure;
+    QPixmap m_floorLayer; ///< grid, axes and trails; null: to be rendered
+};
+
+PictureArea::PictureArea(Timeline &timeline, QWidget *parent) : QWidget(parent), m_timeline(timeline)
+{
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    connect(&m_timeline, &Timeline::currentChanged, this, &PictureArea::ask);
+    connect(&m_fetcher, &FrameFetcher::frameReady, this, &PictureArea::showPicture);
+    connect(&m_fetcher, &FrameFetcher::failed, this, &PictureArea::showFailure);
+}
+
+const SceneView *PictureArea::sceneView() const
+{
+    return m_scene && m_view < m_scene->views.size() ? &m_scene->views[m_view] : nullptr;
+}
+
+void PictureArea::setScene(TrialScenePtr scene, std::size_t view)
+{
+    const SceneView *before = sceneView();
+    const std::filesystem::path fileBefore = before ? before->file : std::filesystem::path();
+    m_scene = std::move(scene);
+    m_view = view;
+    m_floorLayer = {};
+    const SceneView *shown = sceneView();
+    const std::filesystem::path file = shown ? shown->file : std::filesystem::path();
+    if (file != fileBefore) {
+        m_fetcher.setFile(file);
+        m_picture = {};
+        m_shownFrame = -1;
+        m_failure.clear();
+    }
+    ask();
+    update();
+}
+
+void PictureArea::setOverlay(PictureOverlay overlay)
+{
+    m_overlay = std::move(overlay);
+    update();
+}
+
+void PictureArea::setRobotColour(const QColor &colour)
+{
+    m_look.colour = colour;
+    m_floorLayer = {};
+    update();
+}
+
+void PictureArea::setOutlinesShown(bool shown)
+{
+    m_look.withOutlines = shown;
+    update();
+}
+
+std::optional<qint64> PictureArea::wantedFrame() const
+{
+    if (!sceneView())
+        return std::nullopt;
+    return m_scene->frameAt(m_view, m_timeline.currentTime());
+}
+
+void PictureArea::ask()
+{
+    const auto frame = wantedFrame();
+    if (const bool was = std::exchange(m_isOutside, !frame); m_isOutside || was)
+        // outside of the recording it says so, and within it no longer, also before the picture is there
+        update();
+    if (!frame)
+        return;
+    if (isVisible())
+        m_fetcher.request(*frame, (pictureRect().size() * devicePixelRatioF()).toSize());
+    if (!m_failure.isEmpty())
+        update();
+}
+
+void PictureArea::showPicture(qint64 frame, const QImage &picture)
+{
+    m_picture = picture;
+    m_shownFrame = frame;
+    m_failure.clear();
+    update();
+    if (isSettled())
+        Q_EMIT settled();
+}
+
+void PictureArea::showFailure(qint64 frame, const QString &message)
+{
+    m_picture = {};
+    m_shownFrame = frame;
+    m_failure = message;
+    update();
+    Q_EMIT settled();
+}
+
+bool PictureArea::isSettled() const
+{
+    const auto frame = wantedFrame();
+    return !frame || !m_failure.isEmpty() || (m_shownFrame == *frame && m_fetcher.isIdle());
+}
+
+QSize PictureArea::pictureSize() const
+{
+    const SceneView *view = sceneView();
+    return view ? QSize(view->recording.widthPx, view->recording.heightPx) : QSize();
+}
+
+QRectF PictureArea::pictureRect() const
+{
+    return fittedRect(pictureSize(), QSizeF(size()), devicePixelRatioF());
+}
+
+void PictureArea::setPointing(bool pointing)
+{
+    m_isPointing = pointing;
+    setCursor(pointing ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
+/// Whether there is a picture at a place of the widget.
+bool PictureArea::pointAt(const QPoint &place, const QPoint &global)
+{
+    if (!sceneView() || m_picture.isNull() || !pictureRect().contains(place))
+        return false;
+    Q_EMIT pointedAt(toPicturePixel(place, pictureSize(), pictureRect()), global);
+    return true;
+}
+
+void PictureArea::mousePressEvent(QMouseEvent *event)
+{
+    if (!m_isPointing || event->button() != Qt::LeftButton ||
+        !pointAt(event->position().toPoint(), event->globalPosition().toPoint()))
+        QWidget::mousePressEvent(event);
+}
+
+void PictureArea::contextMenuEvent(QContextMenuEvent *event)
+{
+    if (event->reason() != QContextMenuEvent::Mouse || !pointAt(event->pos(), event->globalPos()))
+        QWidget::contextMenuEvent(event);
+}
+
+QPointF PictureArea::fromPicture(const QPointF &pixel) const
+{
+    return fromPicturePixel(pixel, pictureSize(), pictureRect());
+}
+
+void PictureArea::renderFloorLayer()
+{
+    m_floorLayer = QPixmap((QSizeF(size()) * devicePixelRatioF()).toSize());
+    m_floorLayer.setDevicePixelRatio(devicePixelRatioF());
+    m_floorLayer.fill(Qt::transparent);
+    if (!sceneView())
+        return;
+    QPainter painter(&m_floorLayer);
+    painter.setFont(font());
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setClipRect(pictureRect());
+    paintFloor(
+        painter, *m_scene, m_view, [this](const QPointF &pixel) { return fromPicture(pixel); }, m_look);
+}
+
+void PictureArea::paintRobots(QPainter &painter, qint64 frame) const
+{
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setClipRect(pictureRect());
+    const PictureMap toWidget = [this](const QPointF &pixel) { return fromPicture(pixel); };
+    for (std::size_t robot = 0; robot < m_scene->robots.size(); ++robot)
+        paintRobot(painter, *m_scene, m_view, robot, frame, toWidget, m_look);
+    if (m_overlay)
+        m_overlay(painter, m_view, frame, toWidget);
+    painter.restore();
+}
+
+void PictureArea::paintMessage(QPainter &painter, const QString &message) const
+{
+    const QRect place = rect().adjusted(16, 16, -16, -16);
+    const bool onPicture = !m_picture.isNull();
+    painter.setPen(onPicture ? QColor(Qt::white) : ThemeColours::of(palette()).muted);
+    painter.drawText(place, Qt::AlignCenter | Qt::TextWordWrap, message);
+}
+
+void PictureArea::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(), ThemeColours::of(palette()).pictureGround);
+    if (!sceneView()) {
+        paintMessage(painter, tr("No view"));
+        return;
+    }
+    if (!m_picture.isNull()) {
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.drawImage(pictureRect(), m_picture);
+    }
+    const auto wanted = wantedFrame();
+    if (m_floorLayer.isNull())
+        renderFloorLayer();
+    if (wanted || !m_picture.isNull()) // nothing to lie on where the camera showed nothing yet
+        painter.drawPixmap(0, 0, m_floorLayer);
+    if (!m_failure.isEmpty())
+        paintMessage(painter, m_failure);
+    else if (!wanted)
+        paintMessage(painter, tr("This camera was not recording at this time"));
+    // The overlay belongs to the picture that is shown, even while a newer one is on its way.
+    const qint64 frame = m_picture.isNull() ? wanted.value_or(-1) : m_shownFrame;
+    if (wanted && frame >= 0)
+        paintRobots(painter, frame);
+}
+
+void PictureArea::resizeEvent(QResizeEvent *)
+{
+    m_floorLayer = {};
+    ask();
+}
+
+void PictureArea::showEvent(QShowEvent *)
+{
+    ask();
+}
+
+void PictureArea::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
+        m_floorLayer = {};
+    QWidget::changeEvent(event);
+}
+
+namespace {
+
+QString viewRemark(const TrialScene &scene, std::size_t index)
+{
+    const RecordingRecord &recording = scene.views[index].recording;
+    QStringList parts; // the most telling first: the end may be cut off
+    if (index > 0 && isStepMeasured(recording))
+        parts += CameraView::tr("in step to %1 ms")
+                     .arg(QLocale().toString(recording.startOffsetSigmaS * 1e3, 'f', 1));
+    else if (index > 0 && recording.syncMethod == "told")
+        parts += CameraView::tr("offset by hand");
+    else if (index > 0)
+        parts += CameraView::tr("not synchronised");
+    parts += QStringLiteral("%1×%2").arg(recording.widthPx).arg(recording.heightPx);
+    if (recording.framesPerSecond > 0)
+        parts += CameraView::tr("%1 /s").arg(QLocale().toString(recording.framesPerSecond, 'f', 1));
+    return parts.join(QStringLiteral(" · "));
+}
+
+} // namespace
+
+QString viewTitle(const SceneView &view)
+{
+    const QString name = QString::fromStdString(view.camera);
+    constexpr qsizetype shortName = 2; // "A" alone says little
+    return name.size() <= shortName ? CameraView::tr("Camera %1").arg(name) : name;
+}
+
+CameraView::CameraView(Timeline &timeline, QWidget *parent)
+    : Card(tr("Camera"), parent), m_area(new PictureArea(timeline, this))
+{
+    setContent(m_area);
+    m_area->setAccessibleName(tr("Picture of the camera"));
+    connect(m_area, &PictureArea::settled, this, &CameraView::settled);
+    connect(m_area, &PictureArea::pointedAt, this, &CameraView::pointedAt);
+}
+
+CameraView::~CameraView() = default;
+
+void CameraView::setScene(TrialScenePtr scene, std::size_t view)
+{
+    const bool there = scene && view < scene->views.size();
+    setTitle(there ? viewTitle(scene->views[view]) : tr("Camera"));
+    setRemark(there ? viewRemark(*scene, view) : QString());
+    setBadge(there ? registrationBadge(scene->views[view].registration) : Badge());
+    m_area->setAccessibleName(tr("Picture of %1").arg(title()));
+    m_area->setScene(std::move(scene), view);
+}
+
+void CameraView::setOverlay(PictureOverlay overlay)
+{
+    m_area->setOverlay(std::move(overlay));
+}
+
+void CameraView::setRobotColour(const QColor &colour)
+{
+    m_area->setRobotColour(colour);
+}
+
+void CameraView::setOutlinesShown(bool shown)
+{
+    m_area->setOutlinesShown(shown);
+}
+
+void CameraView::setPointing(bool pointing)
+{
+    m_area->setPointing(pointing);
+}
+
+bool CameraView::isSettled() const
+{
+    return m_area->isSettled();
+}
+QPointF CameraView::fromPicture(const QPointF &pixel) const
+{
+    return m_area->fromPicture(pixel);
+}
+QWidget *CameraView::pictureArea() const
+{
+    return m_area;
+}
+
+} // namespace odo
+
+#include "camera_view.moc"

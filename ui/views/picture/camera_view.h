@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/models/trial_scene.h"
+#include "ui/views/picture/picture_overlay.h"
+#include "ui/views/widgets/card.h"
+
+namespace odo {
+
+class PictureArea;
+class Timeline;
+
+/// What a view is called: "Camera A", or its longer name.
+QString viewTitle(const SceneView &view);
+
+/// One view of a trial: its picture at the shared time, and on it the robots' outlines, their trails, the
+/// world's axes and the floor grid, all through the registered camera.
+class CameraView : public Card
+{
+    Q_OBJECT
+public:
+    explicit CameraView(Timeline &timeline, QWidget *parent = nullptr);
+    ~CameraView() override;
+
+    /// The view of this index of the scene; a null scene or an index beyond its views clears.
+    void setScene(TrialScenePtr scene, std::size_t view);
+    /// Painted over the picture, within it; empty: nothing.
+    void setOverlay(PictureOverlay overlay);
+    /// Of all robots' trails and outlines, in place of each robot's own.
+    void setRobotColour(const QColor &colour);
+    /// Whether the outlines of what was taken for the robots are drawn; they are unless told otherwise.
+    void setOutlinesShown(bool shown);
+    /// While a place in the picture is asked for, a click gives it; the menu key of the mouse gives it
+    /// always.
+    void setPointing(bool pointing);
+    /// True when the picture that belongs to the current time is shown (or cannot be had).
+    bool isSettled() const;
+
+    /// Where a point of the recording's picture lies in the picture area, in its widget coordinates.
+    QPointF fromPicture(const QPointF &pixel) const;
+    QWidget *pictureArea() const;
+
+Q_SIGNALS:
+    void settled();
+    /// In pixels of the recording's picture, and on the screen.
+    void pointedAt(const QPointF &pixel, const QPoint &global);
+
+private:
+    PictureArea *m_area;
+};
+
+} // namespace odo

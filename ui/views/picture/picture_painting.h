@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/video/picture.h"
+
+#include <QColor>
+#include <QImage>
+#include <QPointF>
+#include <QRectF>
+#include <QSize>
+#include <QString>
+
+class QPainter;
+
+namespace odo {
+
+/// Text that can be read on any picture: a dark rim around it. The point is the left end of the base line.
+void drawHaloText(QPainter &painter, const QPointF &baseline, const QString &text, const QColor &colour);
+
+/// Text in a dark, slightly transparent box that is kept inside `frame`; a long one is cut off, so that it
+/// leaves the picture to be seen. The point is the middle of its left edge.
+void drawTag(QPainter &painter, const QPointF &leftMiddle, const QString &text, const QColor &colour,
+             const QRectF &frame);
+
+/// Where a picture of a size in pixels stands in a widget, as large as fits, on whole device pixels, so that
+/// it is not resampled once more. All of the widget for an empty size.
+QRectF fittedRect(const QSize &picturePx, const QSizeF &widget, double devicePixelRatio);
+
+/// Where a pixel of it lies; pixel (0,0) is the centre of the top-left one.
+QPointF fromPicturePixel(const QPointF &pixel, const QSize &picturePx, const QRectF &fitted);
+/// The other way.
+QPointF toPicturePixel(const QPointF &place, const QSize &picturePx, const QRectF &fitted);
+
+/// Hands the pixels over to a QImage without copying them.
+QImage toImage(ScreenPicture &&picture);
+
+} // namespace odo

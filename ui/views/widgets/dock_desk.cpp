@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/widgets/dock_desk.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QPainter>
+#include <QResizeEvent>
+#include <QSettings>
+#include <QSplitter>
+#include <QWidget>
+
+namespace odo {
+
+/// A thin strip in place of a dock's title bar, which its card has already: it is dragged to move the dock,
+/// double clicked to let it float.
+class DockGrip : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit DockGrip(QWidget *parent = nullptr);
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+};
+
+namespace {
+constexpr int gripHeight = 8;
+constexpr int dots = 5;
+constexpr double dotSide = 2.5, dotDistance = 6;
+} // namespace
+
+DockGrip::DockGrip(QWidget *parent) : QWidget(parent)
+{
+    setCursor(Qt::SizeAllCursor);
+    setToolTip(tr("Drag to move, double click to float"));
+}
+
+QSize DockGrip::sizeHint() const
+{
+    return {60, gripHeight};
+}
+
+void DockGrip::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    QColor colour = palette().color(QPalette::WindowText);
+    colour.setAlphaF(0.25f);
+    painter.setBrush(colour);
+    const QPointF first(width() / 2.0 - (dots - 1) * dotDistance / 2, height() / 2.0);
+    for (int i = 0; i < dots; ++i)
+        painter.drawEllipse(first + QPointF(i * dotDistance, 0), dotSide / 2, dotSide / 2);
+}
+
+namespace {
+
+/// Raised when docks come or go: an arrangement of another version is not restored.
+constexpr int layoutVersion = 1;
+constexpr int gap = 8;
+constexpr int pictureWidth = 350, mapWidth = 320;
+
+QString layoutKey(const QString &mode)
+{
+    return mode + QStringLiteral("/layout");
+}
+QString picturesKey(const QString &mode)
+{
+    return mode + QStringLiteral("/pictures");
+}
+
+} // namespace
+
+DockDesk::DockDesk(const QString &mode, QWidget *parent)
+    : QMainWindow(parent), m_mode(mode), m_pictures(new QSplitter)
+{
+    setWindowFlags(Qt::Widget);
+    setDockNestingEnabled(true);
+    setContextMenuPolicy(Qt::NoContextMenu);
+    m_pictures->setHandleWidth(gap);
+    m_pictures->setChildrenCollapsible(false);
+    m_pictures->setMinimumHeight(160);
+    setCentralWidget(m_pictures);
+}
+
+void DockDesk::addDock(QWidget *content, const QString &name, const QString &title, int percent)
+{
+    auto *dock = new QDockWidget(title, this);
+    dock->setObjectName(name);
+    dock->setWidget(content);
+    dock->setTitleBarWidget(new DockGrip(dock));
+    content->setMinimumSize(220, 90);
+    m_docks.push_back({dock, percent});
+}
+
+void DockDesk::saveLayout() const
+{
+    if (!m_restored) // never shown: nothing was arranged
+        return;
+    QSettings settings;
+    settings.setValue(layoutKey(m_mode), saveState(layoutVersion));
+    settings.setValue(picturesKey(m_mode), m_pictures->saveState());
+}
+
+void DockDesk::restoreLayout()
+{
+    const QSettings settings;
+    if (!restoreState(settings.value(layoutKey(m_mode)).toByteArray(), layoutVersion))
+        resetLayout();
+    else
+        m_pictures->restoreState(settings.value(picturesKey(m_mode)).toByteArray());
+}
+
+void DockDesk::resetLayout()
+{
+    QDockWidget *above = nullptr;
+    QList<QDockWidget *> docks;
+    QList<int> heights;
+    for (const Dock &dock : m_docks) {
+        dock.widget->setFloating(false);
+        addDockWidget(Qt::BottomDockWidgetArea, dock.widget);
+        dock.widget->show();
+        if (above)
+            splitDockWidget(above, dock.widget, Qt::Vertical);
+        above = dock.widget;
+        docks << dock.widget;
+        heights << height() * dock.percent / 100;
+    }
+    resizeDocks(docks, heights, Qt::Vertical);
+    evenPictures();
+}
+
+void DockDesk::evenPictures()
+{
+    QList<int> widths(m_pictures->count(), pictureWidth);
+    if (!widths.isEmpty())
+        widths.last() = mapWidth;
+    m_pictures->setSizes(widths);
+}
+
+QList<QAction *> DockDesk::dockActions() const
+{
+    QList<QAction *> actions;
+    for (const Dock &dock : m_docks)
+        actions << dock.widget->toggleViewAction();
+    return actions;
+}
+
+void DockDesk::showEvent(QShowEvent *event)
+{
+    QMainWindow::showEvent(event);
+    if (!m_restored)
+        restoreLayout();
+    m_restored = true;
+}
+
+void DockDesk::resizeEvent(QResizeEvent *event)
+{
+    QMainWindow::resizeEvent(event);
+    // Docks keep their height by themselves, so that the pictures alone would have to give way.
+    const int before = event->oldSize().height(), now = event->size().height();
+    if (!m_restored || before <= 0 || before == now)
+        return;
+    QList<QDockWidget *> docks;
+    QList<int> heights;
+    for (const Dock &dock : m_docks) {
+        const Qt::DockWidgetArea area = dockWidgetArea(dock.widget);
+        if (dock.widget->isFloating() || dock.widget->isHidden() ||
+            (area != Qt::BottomDockWidgetArea && area != Qt::TopDockWidgetArea))
+            continue;
+        docks << dock.widget;
+        heights << dock.widget->height() * now / before;
+    }
+    if (!docks.isEmpty())
+        resizeDocks(docks, heights, Qt::Vertical);
+}
+
+} // namespace odo
+
+#include "dock_desk.moc"

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QList>
+#include <QMainWindow>
+#include <vector>
+
+class QAction;
+class QDockWidget;
+class QSplitter;
+
+namespace odo {
+
+/// The part of a mode that a person can arrange: pictures and the map side by side, the charts in docks
+/// around them, which can be moved, floated and hidden. The arrangement is read from the settings when first
+/// shown, and written there by saveLayout.
+class DockDesk : public QMainWindow
+{
+    Q_OBJECT
+public:
+    /// mode: by which the settings know it ("review").
+    explicit DockDesk(const QString &mode, QWidget *parent = nullptr);
+
+    /// One a dock: shows and hides it.
+    QList<QAction *> dockActions() const;
+    void resetLayout();
+    void saveLayout() const;
+
+protected:
+    /// What stands side by side in the middle.
+    QSplitter &middle() const { return *m_pictures; }
+    /// Widths as they are at first: all pictures alike, the map, which is the last, a little narrower.
+    void evenPictures();
+    /// Below those before it. name: for the arrangement that is kept; percent: of the desk's height, at
+    /// first.
+    void addDock(QWidget *content, const QString &name, const QString &title, int percent);
+
+    void showEvent(QShowEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    struct Dock
+    {
+        QDockWidget *widget;
+        int percent;
+    };
+    void restoreLayout();
+
+    const QString m_mode;
+    QSplitter *m_pictures;
+    std::vector<Dock> m_docks;
+    bool m_restored = false;
+};
+
+} // namespace odo

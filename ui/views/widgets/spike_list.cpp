@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/widgets/spike_list.h"
+
+#include "ui/models/scene_doubts.h"
+#include "ui/models/timeline.h"
+
+#include "ui/views/widgets/fact_list.h"
+#include "ui/views/widgets/theme.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QPainter>
+#include <QStyledItemDelegate>
+#include <QTableView>
+#include <QToolButton>
+
+namespace odo {
+
+namespace {
+
+constexpr int padding = 9;
+
+/// Rows as in the other panels: air around the text, a thin line below, a light ground for the chosen one.
+class RowDelegate : public QStyledItemDelegate
+{
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override
+    {
+        const ThemeColours colours = ThemeColours::of(option.palette);
+        const bool chosen = option.state.testFlag(QStyle::State_Selected);
+        painter->fillRect(option.rect, chosen ? colours.selection : colours.card);
+        painter->fillRect(QRect(option.rect.left(), option.rect.bottom(), option.rect.width(), 1),
+                          colours.grid);
+        const bool focused = option.state.testFlag(QStyle::State_HasFocus);
+        if (focused)
+            painter->fillRect(QRect(option.rect.left(), option.rect.top(), 2, option.rect.height()),
+                              colours.accent);
+        painter->setFont(option.font);
+        painter->setPen(index.data(SpikeModel::RestoredRole).toBool() ? colours.muted : colours.text);
+        const QRect place = option.rect.adjusted(padding, 0, -padding / 2, 0);
+        const QString text = index.data().toString();
+        painter->drawText(place, index.data(Qt::TextAlignmentRole).value<Qt::Alignment>(),
+                          option.fontMetrics.elidedText(text, Qt::ElideRight, place.width()));
+    }
+    QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override
+    {
+        return {option.fontMetrics.horizontalAdvance(index.data().toString()) + 2 * padding,
+                option.fontMetrics.height() + padding};
+    }
+};
+
+} // namespace
+
+SpikeList::SpikeList(Timeline &timeline, QWidget *parent)
+    : Card(tr("Spikes"), parent), m_timeline(timeline), m_model(new SpikeModel(this)),
+      m_table(new QTableView(this)), m_buttons(new QHBoxLayout)
+{
+    m_table->setModel(m_model);
+    m_table->setAccessibleName(tr("Spikes with time and reason"));
+    m_table->setFrameShape(QFrame::NoFrame);
+    m_table->setItemDelegate(new RowDelegate(m_table));
+    m_table->setShowGrid(false);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setTabKeyNavigation(false);
+    m_table->setWordWrap(false);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + 9);
+    m_table->horizontalHeader()->setHighlightSections(false);
+    m_table->horizontalHeader()->setSectionResizeMode(SpikeModel::TimeColumn, QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(SpikeModel::ReasonColumn, QHeaderView::Stretch);
+    m_table->horizontalHeader()->setSectionResizeMode(SpikeModel::StateColumn, QHeaderView::ResizeToContents);
+    auto *content = new QWidget;
+    auto *layout = new QVBoxLayout(content);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_table, 1);
+    layout->addLayout(m_buttons);
+    m_buttons->setContentsMargins(padding, 4, padding, 6);
+    m_buttons->setSpacing(4);
+    setContent(content);
+    auto *how = new QAction(howComputedWords(), this);
+    how->setObjectName(QStringLiteral("howComputed"));
+    how->setShortcut(QKeySequence(Qt::SHIFT | Qt::Key_F1));
+    how->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    m_table->addAction(how);
+    m_table->setContextMenuPolicy(Qt::ActionsContextMenu);
+    connect(how, &QAction::triggered, this, &SpikeList::explain);
+    connect(m_table, &QTableView::activated, this, &SpikeList::explain); // Enter or a double click
+    applyColours();
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this](const QModelIndex &row) {
+                if (row.isValid())
+                    Q_EMIT robotChosen(std::size_t(row.data(SpikeModel::RobotRole).toInt()));
+                const Nanoseconds time(row.data(SpikeModel::TimeRole).toLongLong());
+                if (row.isValid() &&
+                    time != m_timeline.currentTime()) { // else it was the time that chose the row
+                    m_timeline.pause();
+                    m_timeline.setCurrentTime(time);
+                }
+            });
+    connect(&m_timeline, &Timeline::currentChanged, this, &SpikeList::followTime);
+}
+
+void SpikeList::setScene(TrialScenePtr scene)
+{
+    m_scene = scene;
+    m_model->setScene(std::move(scene));
+    setRemark(m_model->summary());
+    followTime();
+}
+
+void SpikeList::setActions(const QList<QAction *> &actions)
+{
+    for (QAction *action : actions) {
+        auto *button = new QToolButton;
+        button->setDefaultAction(action);
+        button->setFocusPolicy(Qt::TabFocus);
+        m_buttons->addWidget(button);
+    }
+    m_buttons->addStretch(1);
+    m_table->addActions(actions);
+}
+
+void SpikeList::explain()
+{
+    const QModelIndex row = m_table->currentIndex();
+    if (!row.isValid())
+        return;
+    const auto robot = static_cast<std::size_t>(row.data(SpikeModel::RobotRole).toInt());
+    const qint64 sample = row.data(SpikeModel::SampleIndexRole).toLongLong();
+    for (const Spike &spike : m_scene->robots.at(robot).analysis->profile.spikes)
+        if (spike.sampleIndex == sample) {
+            showExplanation(window(), explainSpike(*m_scene, robot, spike));
+            return;
+        }
+}
+
+void SpikeList::changeEvent(QEvent *event)
+{
+    Card::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        applyColours();
+}
+
+void SpikeList::applyColours()
+{
+    const ThemeColours colours = ThemeColours::of(palette());
+    m_table->horizontalHeader()->setStyleSheet(
+        QStringLiteral(
+            "QHeaderView::section { background: %1; color: %2; border: none; border-bottom: 1px solid %3;"
+            " padding: 4px %4px; }")
+            .arg(colours.card.name(), colours.muted.name(), colours.grid.name())
+            .arg(padding));
+}
+
+void SpikeList::followTime()
+{
+    const QModelIndex current = m_table->currentIndex();
+    const auto standsHere = [this](const QModelIndex &index) {
+        return index.isValid() &&
+               index.data(SpikeModel::TimeRole).toLongLong() == m_timeline.currentTime().count();
+    };
+    if (standsHere(current))
+        return;
+    QModelIndex found;
+    for (int row = 0; row < m_model->rowCount() && !found.isValid(); ++row) {
+        if (standsHere(m_model->index(row, 0)))
+            found = m_model->index(row, 0);
+    }
+    m_table->setCurrentIndex(found);
+}
+
+} // namespace odo
