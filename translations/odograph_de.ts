@@ -4612,14 +4612,6 @@
         <translation>eine Kopfzeile mit Zeit, x und y fehlt, und TUM ist es auch nicht</translation>
     </message>
     <message>
-        <source>the indentation does not fit</source>
-        <translation>die Einrückung passt nicht</translation>
-    </message>
-    <message>
-        <source>the line is indented with a tab</source>
-        <translation>die Zeile ist mit einem Tabulator eingerückt</translation>
-    </message>
-    <message>
         <source>it holds more than one document</source>
         <translation>darin steht mehr als ein Dokument</translation>
     </message>
@@ -4632,40 +4624,8 @@
         <translation>darin stehen mehr als %1 Werte</translation>
     </message>
     <message>
-        <source>the line has no &quot;key: value&quot;</source>
-        <translation>die Zeile hat kein &quot;key: value&quot;</translation>
-    </message>
-    <message>
         <source>the key &apos;%1&apos; is there twice</source>
         <translation>den Schlüssel &apos;%1&apos; gibt es zweimal</translation>
-    </message>
-    <message>
-        <source>something follows the closing bracket</source>
-        <translation>nach der schließenden Klammer folgt noch etwas</translation>
-    </message>
-    <message>
-        <source>anchors, aliases and blocks of text are not understood</source>
-        <translation>Anker, Verweise und Textblöcke werden nicht verstanden</translation>
-    </message>
-    <message>
-        <source>a quoted text does not end in its line</source>
-        <translation>ein Text in Anführungszeichen endet nicht in seiner Zeile</translation>
-    </message>
-    <message>
-        <source>a bracket is not closed</source>
-        <translation>eine Klammer ist nicht geschlossen</translation>
-    </message>
-    <message>
-        <source>a comma or a closing bracket is missing</source>
-        <translation>ein Komma oder eine schließende Klammer fehlt</translation>
-    </message>
-    <message>
-        <source>a colon is missing after &apos;%1&apos;</source>
-        <translation>nach &apos;%1&apos; fehlt ein Doppelpunkt</translation>
-    </message>
-    <message>
-        <source>a value is missing</source>
-        <translation>ein Wert fehlt</translation>
     </message>
     <message>
         <source>the archive library refused</source>
@@ -6754,6 +6714,18 @@
     <message>
         <source>look at the outlines, and register the cameras again</source>
         <translation>sehen Sie sich die Umrisse an und messen Sie die Kameras neu ein</translation>
+    </message>
+    <message>
+        <source>a key is no text, or a bracket is not closed</source>
+        <translation>ein Schlüssel ist kein Text, oder eine Klammer ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>anchors and aliases are not understood</source>
+        <translation>Anker und Verweise werden nicht verstanden</translation>
+    </message>
+    <message>
+        <source>it is no valid YAML (%1)</source>
+        <translation>es ist kein gültiges YAML (%1)</translation>
     </message>
 </context>
 <context>

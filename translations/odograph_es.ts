@@ -4612,14 +4612,6 @@
         <translation>no tiene cabecera con tiempo, x e y, y tampoco es TUM</translation>
     </message>
     <message>
-        <source>the indentation does not fit</source>
-        <translation>la sangría no encaja</translation>
-    </message>
-    <message>
-        <source>the line is indented with a tab</source>
-        <translation>la línea está sangrada con un tabulador</translation>
-    </message>
-    <message>
         <source>it holds more than one document</source>
         <translation>contiene más de un documento</translation>
     </message>
@@ -4632,40 +4624,8 @@
         <translation>contiene más de %1 valores</translation>
     </message>
     <message>
-        <source>the line has no &quot;key: value&quot;</source>
-        <translation>la línea no tiene &quot;key: value&quot;</translation>
-    </message>
-    <message>
         <source>the key &apos;%1&apos; is there twice</source>
         <translation>la clave &apos;%1&apos; está dos veces</translation>
-    </message>
-    <message>
-        <source>something follows the closing bracket</source>
-        <translation>algo sigue al corchete de cierre</translation>
-    </message>
-    <message>
-        <source>anchors, aliases and blocks of text are not understood</source>
-        <translation>no se entienden anclas, alias ni bloques de texto</translation>
-    </message>
-    <message>
-        <source>a quoted text does not end in its line</source>
-        <translation>un texto entre comillas no termina en su línea</translation>
-    </message>
-    <message>
-        <source>a bracket is not closed</source>
-        <translation>un corchete no está cerrado</translation>
-    </message>
-    <message>
-        <source>a comma or a closing bracket is missing</source>
-        <translation>falta una coma o un corchete de cierre</translation>
-    </message>
-    <message>
-        <source>a colon is missing after &apos;%1&apos;</source>
-        <translation>faltan dos puntos después de &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>a value is missing</source>
-        <translation>falta un valor</translation>
     </message>
     <message>
         <source>the archive library refused</source>
@@ -6754,6 +6714,18 @@
     <message>
         <source>look at the outlines, and register the cameras again</source>
         <translation>mire los contornos y vuelva a registrar las cámaras</translation>
+    </message>
+    <message>
+        <source>a key is no text, or a bracket is not closed</source>
+        <translation>una clave no es un texto o falta cerrar un paréntesis</translation>
+    </message>
+    <message>
+        <source>anchors and aliases are not understood</source>
+        <translation>no se admiten anclas ni alias</translation>
+    </message>
+    <message>
+        <source>it is no valid YAML (%1)</source>
+        <translation>no es YAML válido (%1)</translation>
     </message>
 </context>
 <context>

@@ -4612,14 +4612,6 @@
         <translation>il n’a pas d’en-tête avec un temps, x et y, et n’est pas non plus du TUM</translation>
     </message>
     <message>
-        <source>the indentation does not fit</source>
-        <translation>l’indentation ne convient pas</translation>
-    </message>
-    <message>
-        <source>the line is indented with a tab</source>
-        <translation>la ligne est indentée par une tabulation</translation>
-    </message>
-    <message>
         <source>it holds more than one document</source>
         <translation>il contient plus d’un document</translation>
     </message>
@@ -4632,40 +4624,8 @@
         <translation>il contient plus de %1 valeurs</translation>
     </message>
     <message>
-        <source>the line has no &quot;key: value&quot;</source>
-        <translation>la ligne n’a pas de &quot;key: value&quot;</translation>
-    </message>
-    <message>
         <source>the key &apos;%1&apos; is there twice</source>
         <translation>la clé &apos;%1&apos; y est deux fois</translation>
-    </message>
-    <message>
-        <source>something follows the closing bracket</source>
-        <translation>quelque chose suit le crochet fermant</translation>
-    </message>
-    <message>
-        <source>anchors, aliases and blocks of text are not understood</source>
-        <translation>les ancres, alias et blocs de texte ne sont pas compris</translation>
-    </message>
-    <message>
-        <source>a quoted text does not end in its line</source>
-        <translation>un texte entre guillemets ne finit pas sur sa ligne</translation>
-    </message>
-    <message>
-        <source>a bracket is not closed</source>
-        <translation>un crochet n’est pas fermé</translation>
-    </message>
-    <message>
-        <source>a comma or a closing bracket is missing</source>
-        <translation>il manque une virgule ou un crochet fermant</translation>
-    </message>
-    <message>
-        <source>a colon is missing after &apos;%1&apos;</source>
-        <translation>il manque un deux-points après &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>a value is missing</source>
-        <translation>il manque une valeur</translation>
     </message>
     <message>
         <source>the archive library refused</source>
@@ -6754,6 +6714,18 @@
     <message>
         <source>look at the outlines, and register the cameras again</source>
         <translation>regardez les contours et localisez de nouveau les caméras</translation>
+    </message>
+    <message>
+        <source>a key is no text, or a bracket is not closed</source>
+        <translation>une clé n&apos;est pas un texte, ou une parenthèse n&apos;est pas fermée</translation>
+    </message>
+    <message>
+        <source>anchors and aliases are not understood</source>
+        <translation>les ancres et les alias ne sont pas compris</translation>
+    </message>
+    <message>
+        <source>it is no valid YAML (%1)</source>
+        <translation>ce n&apos;est pas du YAML valide (%1)</translation>
     </message>
 </context>
 <context>

@@ -4610,14 +4610,6 @@
         <translation>시간, x, y가 있는 머리글이 없고 TUM도 아닙니다</translation>
     </message>
     <message>
-        <source>the indentation does not fit</source>
-        <translation>들여쓰기가 맞지 않습니다</translation>
-    </message>
-    <message>
-        <source>the line is indented with a tab</source>
-        <translation>행이 탭으로 들여 쓰여 있습니다</translation>
-    </message>
-    <message>
         <source>it holds more than one document</source>
         <translation>문서가 둘 이상 들어 있습니다</translation>
     </message>
@@ -4630,40 +4622,8 @@
         <translation>값이 %1개를 넘습니다</translation>
     </message>
     <message>
-        <source>the line has no &quot;key: value&quot;</source>
-        <translation>행에 &quot;key: value&quot;가 없습니다</translation>
-    </message>
-    <message>
         <source>the key &apos;%1&apos; is there twice</source>
         <translation>키 &apos;%1&apos;이(가) 두 번 있습니다</translation>
-    </message>
-    <message>
-        <source>something follows the closing bracket</source>
-        <translation>닫는 괄호 뒤에 무언가가 있습니다</translation>
-    </message>
-    <message>
-        <source>anchors, aliases and blocks of text are not understood</source>
-        <translation>앵커, 별칭, 텍스트 블록은 지원하지 않습니다</translation>
-    </message>
-    <message>
-        <source>a quoted text does not end in its line</source>
-        <translation>따옴표로 묶은 글이 그 행에서 끝나지 않습니다</translation>
-    </message>
-    <message>
-        <source>a bracket is not closed</source>
-        <translation>괄호가 닫히지 않았습니다</translation>
-    </message>
-    <message>
-        <source>a comma or a closing bracket is missing</source>
-        <translation>쉼표나 닫는 괄호가 없습니다</translation>
-    </message>
-    <message>
-        <source>a colon is missing after &apos;%1&apos;</source>
-        <translation>&apos;%1&apos; 뒤에 쌍점이 없습니다</translation>
-    </message>
-    <message>
-        <source>a value is missing</source>
-        <translation>값이 없습니다</translation>
     </message>
     <message>
         <source>the archive library refused</source>
@@ -6752,6 +6712,18 @@
     <message>
         <source>look at the outlines, and register the cameras again</source>
         <translation>윤곽선을 확인하고 카메라를 다시 정합하십시오</translation>
+    </message>
+    <message>
+        <source>a key is no text, or a bracket is not closed</source>
+        <translation>키가 텍스트가 아니거나 괄호가 닫히지 않았습니다</translation>
+    </message>
+    <message>
+        <source>anchors and aliases are not understood</source>
+        <translation>앵커와 별칭은 인식하지 않습니다</translation>
+    </message>
+    <message>
+        <source>it is no valid YAML (%1)</source>
+        <translation>올바른 YAML이 아닙니다(%1)</translation>
     </message>
 </context>
 <context>

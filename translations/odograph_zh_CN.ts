@@ -4610,14 +4610,6 @@
         <translation>没有含时间、x 和 y 的标题行，也不是 TUM</translation>
     </message>
     <message>
-        <source>the indentation does not fit</source>
-        <translation>缩进不匹配</translation>
-    </message>
-    <message>
-        <source>the line is indented with a tab</source>
-        <translation>该行以制表符缩进</translation>
-    </message>
-    <message>
         <source>it holds more than one document</source>
         <translation>其中有不止一个文档</translation>
     </message>
@@ -4630,40 +4622,8 @@
         <translation>其中的值超过 %1 个</translation>
     </message>
     <message>
-        <source>the line has no &quot;key: value&quot;</source>
-        <translation>该行没有 &quot;key: value&quot;</translation>
-    </message>
-    <message>
         <source>the key &apos;%1&apos; is there twice</source>
         <translation>键“%1”出现两次</translation>
-    </message>
-    <message>
-        <source>something follows the closing bracket</source>
-        <translation>右括号之后还有内容</translation>
-    </message>
-    <message>
-        <source>anchors, aliases and blocks of text are not understood</source>
-        <translation>不支持锚点、别名和文本块</translation>
-    </message>
-    <message>
-        <source>a quoted text does not end in its line</source>
-        <translation>引号中的文字没有在本行结束</translation>
-    </message>
-    <message>
-        <source>a bracket is not closed</source>
-        <translation>有括号未闭合</translation>
-    </message>
-    <message>
-        <source>a comma or a closing bracket is missing</source>
-        <translation>缺少逗号或右括号</translation>
-    </message>
-    <message>
-        <source>a colon is missing after &apos;%1&apos;</source>
-        <translation>“%1”之后缺少冒号</translation>
-    </message>
-    <message>
-        <source>a value is missing</source>
-        <translation>缺少值</translation>
     </message>
     <message>
         <source>the archive library refused</source>
@@ -6752,6 +6712,18 @@
     <message>
         <source>look at the outlines, and register the cameras again</source>
         <translation>请查看轮廓，并重新配准相机</translation>
+    </message>
+    <message>
+        <source>a key is no text, or a bracket is not closed</source>
+        <translation>某个键不是文本，或者括号没有闭合</translation>
+    </message>
+    <message>
+        <source>anchors and aliases are not understood</source>
+        <translation>不支持锚点和别名</translation>
+    </message>
+    <message>
+        <source>it is no valid YAML (%1)</source>
+        <translation>不是有效的 YAML（%1）</translation>
     </message>
 </context>
 <context>

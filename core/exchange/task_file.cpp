@@ -33,7 +33,7 @@ public:
         Task task;
         for (const auto &[key, node] : root.entries) {
             Result<void> done;
-            if (node.kind == Kind::Null || isNull(node))
+            if (isNull(node))
                 continue;
             if (key == "template")
                 done = readTemplate(node, task);
@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    static bool isNull(const YamlNode &node) { return node.kind == Kind::Scalar && node.text == "null"; }
+    static bool isNull(const YamlNode &node) { return node.kind == Kind::Null; }
 
     tl::unexpected<Error> failure(int line, const std::string &why,
                                   const std::string &advice = taskAdvice) const

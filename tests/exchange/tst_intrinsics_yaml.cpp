@@ -138,7 +138,8 @@ private Q_SLOTS:
         row("empty", "", ":1: the file is empty");
         row("a list", "- 1\n- 2\n", ":1: the entry 'image_width' is missing");
         row("no pictures", "a: b\n", ":1: the entry 'image_width' is missing");
-        row("deep flow", QByteArray("a: ") + QByteArray(100000, '['), ":1: it is nested more than 16 deep");
+        row("deep flow", QByteArray("a: ") + QByteArray(100000, '[') + QByteArray(100000, ']'),
+            ":1: it is nested more than 16 deep");
         row("deep maps", QByteArray("a: ") + QByteArray("{a: ").repeated(50000),
             ":1: it is nested more than 16");
         row("deep dashes", QByteArray("- ").repeated(100000), "nested more than 16 deep");
@@ -166,12 +167,15 @@ private Q_SLOTS:
         for (int key = 0; key < 80'000; ++key) // each was compared with all before it
             manyKeys += 'k' + QByteArray::number(key) + ": 1\n";
         row("many keys", manyKeys, ":1: the entry 'image_width' is missing");
-        row("alias", changed("640", "*a"), ":2: anchors, aliases");
+        row("anchor", changed("640", "&a 640"), ":2: anchors and aliases are not understood");
+        row("alias", changed("640", "*a"), ":2: it is no valid YAML (the referenced anchor is not defined)");
+        row("a list as a key", "? [a, b]\n: 2\n", ":1: a key is no text, or a bracket is not closed");
         row("open bracket", changed("0, 0, 1]", "0, 0, 1"), "");
-        row("open quote", changed("\"head # left\"", "\"head"), ":4: a quoted text does not end");
-        row("tab", changed("  rows: 3", "\trows: 3"), ":6: the line is indented with a tab");
+        row("open quote", changed("\"head # left\"", "\"head"), ":2: the entry 'camera_matrix' is missing");
+        row("tab", changed("  rows: 3", "\trows: 3"), ":6: it is no valid YAML (illegal map value)");
         row("two documents", rosFile + "---\na: b\n", "more than one document");
-        row("bad indentation", changed("  cols: 3", "    cols: 3"), ":7: the indentation does not fit");
+        row("bad indentation", changed("  cols: 3", "    cols: 3"),
+            ":7: it is no valid YAML (illegal map value)");
         row("nul", QByteArray("a\0b", 3), "it is not a UTF-8 text file");
     }
     void refusesHostileFiles()

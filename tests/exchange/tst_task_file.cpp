@@ -108,7 +108,7 @@ private Q_SLOTS:
         };
         row("empty", "", ":1: the file is empty; write the task as");
         row("no task", "[1, 2]", ":1: the file holds no task");
-        row("not closed", "{\n\"template\": \"circle\",", ":1: a bracket is not closed");
+        row("not closed", "{\n\"template\": \"circle\",", ":1: a key is no text, or a bracket is not closed");
         row("unknown key", "{\n\"template\": \"free\",\n\"gatez\": []}",
             ":3: the key 'gatez' is not known; use template, gates, reference_path, limits, zones or name");
         row("twice", "{\"template\": \"free\",\n\"template\": \"circle\"}",

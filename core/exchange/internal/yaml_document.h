@@ -10,8 +10,8 @@
 
 namespace odo {
 
-/// A node of the part of YAML in which calibrations and tasks are written; JSON is of it. Its text is that of
-/// the file: nothing is guessed.
+/// A node of YAML, in which calibrations and tasks are written; JSON is of it. A scalar stays text: nothing
+/// is guessed.
 struct YamlEntry;
 struct YamlNode
 {
@@ -32,10 +32,9 @@ struct YamlEntry
     YamlNode value;
 };
 
-/// Parses one YAML document: block mappings and sequences, flow sequences and mappings, plain and quoted
-/// scalars on one line, comments, tags (skipped). No anchors, aliases or block scalars. Made for files from
-/// anywhere: nesting is at most 16 deep, a document has at most 100 000 nodes, keys are not doubled. Errors
-/// name file and line and end with `advice`.
+/// Reads one YAML document (yaml-cpp) without anchors and aliases; tags are skipped. Made for files from
+/// anywhere: nesting is at most 16 deep, a document has at most 100 000 values, keys are texts and not
+/// doubled. Errors name file and line and end with `advice`.
 Result<YamlNode> parseYaml(const std::filesystem::path &file, const std::string &text,
                            const std::string &advice);
 
