@@ -2,6 +2,7 @@
 #include "core/trajectory/imported_track.h"
 
 #include "core/analysis/metrics.h"
+#include "core/analysis/noise_level.h"
 #include "core/analysis/task_metrics.h"
 #include "core/base/percentile.h"
 #include "core/trajectory/analyser.h"
@@ -307,21 +308,6 @@ Result<Profile> analyseImported(const SampleSource &raw, const AnalysisOptions &
     Error error = profile.error();
     error.advice = chooseLonger;
     return tl::unexpected(error);
-}
-
-void NoiseLevel::add(const std::vector<Sample> &samples)
-{
-    for (const Sample &sample : samples) {
-        if (!sample.position)
-            continue;
-        m_variances += sample.covariance.trace();
-        m_count += 2;
-    }
-}
-
-double NoiseLevel::sigmaM() const
-{
-    return m_count > 0 ? std::sqrt(m_variances / m_count) : 0;
 }
 
 } // namespace odo

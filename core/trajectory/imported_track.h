@@ -86,15 +86,4 @@ constexpr std::size_t longestAtOnce = 131'072;
 AnalysisOptions optionsForImported(AnalysisOptions options, const std::vector<Sample> &raw);
 Result<AnalysisOptions> optionsForImported(AnalysisOptions options, const SampleSource &raw);
 
-/// The root mean square σ of a coordinate of all samples that were added, metres; 0 without a position.
-class NoiseLevel
-{
-public:
-    void add(const std::vector<Sample> &samples);
-    double sigmaM() const;
-
-private:
-    double m_variances = 0, m_count = 0;
-};
-
 } // namespace odo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/import/import_tracks_job.h"
 
+#include "core/analysis/noise_level.h"
 #include "core/base/file_system.h"
 #include "core/exchange/file_name.h"
 #include "core/exchange/track_export.h"
