@@ -17,11 +17,6 @@
 
 namespace odo {
 
-/// The options of `export --format video`, for its syntax.
-QList<QCommandLineOption> videoOptions();
-/// Makes the annotated video of a trial and answers. Needs a QGuiApplication.
-Result<void> exportVideo(const CommandCall &call, const std::string &file);
-
 namespace {
 
 Result<AnnotatedVideoSettings> settingsOf(const CommandCall &call)
@@ -48,6 +43,7 @@ Result<AnnotatedVideoSettings> settingsOf(const CommandCall &call)
 
 } // namespace
 
+/// The options of `export --format video`, for its syntax.
 QList<QCommandLineOption> videoOptions()
 {
     return {{option::speed, QStringLiteral("Of a video, times that of the run: 0.1 to 1."),
@@ -59,6 +55,7 @@ QList<QCommandLineOption> videoOptions()
             languageOption()};
 }
 
+/// Makes the annotated video of a trial and answers. Needs a QGuiApplication.
 Result<void> exportVideo(const CommandCall &call, const std::string &file)
 {
     auto settings = settingsOf(call);

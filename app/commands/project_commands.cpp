@@ -58,20 +58,12 @@ Result<void> runDemo(const QStringList &arguments, const CancelToken &cancel)
     return {};
 }
 
-/// The options of odograph check that change something.
-QList<QCommandLineOption> repairOptions();
-/// Whether any of them is set.
-bool asksForRepairs(const CommandCall &call);
-
 /// What was done about files that are lost or belong to nobody.
 struct MediaRepairs
 {
     QJsonObject json;
     QStringList lines;
 };
-/// As the options ask: finds lost videos by their content, makes trials of stray ones, removes stray files.
-/// The project is open to write.
-Result<MediaRepairs> repairMedia(const CommandCall &call, Project &project);
 
 namespace {
 
@@ -126,6 +118,7 @@ Result<void> remove(const CommandCall &call, Project &project, const FindStraysJ
 
 } // namespace
 
+/// The options of odograph check that change something.
 QList<QCommandLineOption> repairOptions()
 {
     return {
@@ -138,11 +131,14 @@ QList<QCommandLineOption> repairOptions()
          QStringLiteral("Removes the files in the media folder that belong to nothing in the project.")}};
 }
 
+/// Whether any of them is set.
 bool asksForRepairs(const CommandCall &call)
 {
     return call.isSet(option::find) || call.isSet(option::adopt) || call.isSet(option::removeStrays);
 }
 
+/// As the options ask: finds lost videos by their content, makes trials of stray ones, removes stray files.
+/// The project is open to write.
 Result<MediaRepairs> repairMedia(const CommandCall &call, Project &project)
 {
     MediaRepairs repairs;

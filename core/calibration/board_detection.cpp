@@ -19,11 +19,6 @@
 
 namespace odo {
 
-/// findBoard for BoardPattern::Charuco. Boards that are printed inverted (bright markers on dark) are found
-/// as well, and both ways of laying out a board with an even number of rows (OpenCV changed it in 4.6). An
-/// inner corner counts when both markers beside it were read.
-Result<BoardView> findCharucoBoard(const cv::Mat &luma, const BoardSpec &spec, const std::string &source);
-
 namespace {
 
 using Eigen::Vector2d;
@@ -163,6 +158,9 @@ BoardView refined(const cv::Mat &luma, const std::vector<ForetoldCorner> &corner
 
 } // namespace
 
+/// findBoard for BoardPattern::Charuco. Boards that are printed inverted (bright markers on dark) are found
+/// as well, and both ways of laying out a board with an even number of rows (OpenCV changed it in 4.6). An
+/// inner corner counts when both markers beside it were read.
 Result<BoardView> findCharucoBoard(const cv::Mat &luma, const BoardSpec &spec, const std::string &source)
 {
     const std::vector<NamedDictionary> dictionaries = dictionariesFor(spec.dictionary);
@@ -201,10 +199,6 @@ Result<BoardView> findCharucoBoard(const cv::Mat &luma, const BoardSpec &spec, c
                        spec.columns > 0 ? "count the inner corners, or leave the size out"
                                         : "show one ChArUco board");
 }
-
-/// findBoard for BoardPattern::Checkerboard. A board of a told size of which rows or columns lie outside the
-/// picture is taken with the corners that are in it (two thirds at least).
-Result<BoardView> findCheckerboard(const cv::Mat &luma, const BoardSpec &spec, const std::string &source);
 
 namespace {
 
@@ -408,6 +402,8 @@ Result<CornerGrid> matched(const cv::Mat &luma, const CornerGrid &grid, const Bo
 
 } // namespace
 
+/// findBoard for BoardPattern::Checkerboard. A board of a told size of which rows or columns lie outside the
+/// picture is taken with the corners that are in it (two thirds at least).
 Result<BoardView> findCheckerboard(const cv::Mat &luma, const BoardSpec &spec, const std::string &source)
 {
     const CornerGrid grid = searchScales(luma, spec);

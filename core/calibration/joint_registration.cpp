@@ -61,10 +61,6 @@ struct JointFit
     double pixelFreedom = 0;
 };
 
-/// Least squares over poses and places (core/geometry/least_squares.h). nullopt where they are not
-/// determined.
-std::optional<JointFit> fitJointly(const JointProblem &problem);
-
 namespace {
 
 using Eigen::Vector2d;
@@ -144,6 +140,8 @@ LeastSquaresProblem<JointState> problemOf(const JointProblem &problem)
 
 } // namespace
 
+/// Least squares over poses and places (core/geometry/least_squares.h). nullopt where they are not
+/// determined.
 std::optional<JointFit> fitJointly(const JointProblem &problem)
 {
     JointState start;

@@ -26,9 +26,6 @@ struct LabelledPoint
 /// Reads a CSV file with a column of labels and two of numbers, whose names are given. Refuses, naming the
 /// line: labels that are empty or there twice, numbers that are none; and a file without points.
 Result<std::vector<LabelledPoint>> readLabelledPoints(const std::filesystem::path &file,
-                                                      const std::vector<std::string> &columns);
-
-Result<std::vector<LabelledPoint>> readLabelledPoints(const std::filesystem::path &file,
                                                       const std::vector<std::string> &columns)
 {
     const auto rows = readCsvTable(file, columns);

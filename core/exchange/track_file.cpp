@@ -39,13 +39,6 @@ struct TrackHeader
     bool hasUnits = false;            ///< of the time or a place, but for `xNAME`
 };
 
-/// Reads a header: a time (t, time, timestamp) and pairs of x and y, perhaps sigma_x and sigma_y; each with
-/// its unit as `x_mm`, `x [m]`, `x (cm)`, `x/m`, or none (s, m); of more tracks `xNAME` and `yNAME`, or the
-/// names in the line above. Other columns are passed over. nullopt: it is no such header. The Error is the
-/// reason alone, of a unit that is not known.
-std::optional<Result<TrackHeader>> readTrackHeader(const std::vector<std::string_view> &cells,
-                                                   const std::vector<std::string_view> &namesAbove);
-
 namespace {
 
 struct Unit
@@ -165,6 +158,10 @@ std::vector<TrackColumns> namedPairs(const std::vector<std::string_view> &cells)
 
 } // namespace
 
+/// Reads a header: a time (t, time, timestamp) and pairs of x and y, perhaps sigma_x and sigma_y; each with
+/// its unit as `x_mm`, `x [m]`, `x (cm)`, `x/m`, or none (s, m); of more tracks `xNAME` and `yNAME`, or the
+/// names in the line above. Other columns are passed over. nullopt: it is no such header. The Error is the
+/// reason alone, of a unit that is not known.
 std::optional<Result<TrackHeader>> readTrackHeader(const std::vector<std::string_view> &cells,
                                                    const std::vector<std::string_view> &namesAbove)
 {

@@ -23,12 +23,6 @@
 
 namespace odo {
 
-/// The tasks of the demo's trials (demoTrials, by name), laid where its robots drive: a straight line with
-/// start and finish, laps of a circle, a figure eight, and a square with stops.
-std::vector<TaskRecord> demoTasks();
-/// How one of them is scored: by its time, by how well its path is kept, and a point off for each spike.
-std::vector<Criterion> demoScoring(const Task &task);
-
 namespace {
 
 const Eigen::Vector2d middle(1.5, 1.1); // of the floor
@@ -82,6 +76,8 @@ Task stopAndGo()
 
 } // namespace
 
+/// The tasks of the demo's trials (demoTrials, by name), laid where its robots drive: a straight line with
+/// start and finish, laps of a circle, a figure eight, and a square with stops.
 std::vector<TaskRecord> demoTasks()
 {
     return {{0, "Straight line", straightLine()},
@@ -90,6 +86,7 @@ std::vector<TaskRecord> demoTasks()
             {0, "Stop and go", stopAndGo()}};
 }
 
+/// How one of them is scored: by its time, by how well its path is kept, and a point off for each spike.
 std::vector<Criterion> demoScoring(const Task &task)
 {
     const bool hasLaps = task.kind == TaskTemplate::Circle || task.kind == TaskTemplate::FigureEight;

@@ -18,10 +18,6 @@
 
 namespace odo {
 
-/// An open camera for people, by its node; of each format and size the fastest mode is named, the best first.
-CameraDescription describeV4l2(const V4l2Device &device, const std::vector<V4l2Mode> &modes,
-                               const V4l2Mode &chosen);
-
 namespace {
 
 constexpr const char *kind = "v4l2";
@@ -68,6 +64,7 @@ std::vector<CameraDescription> forbiddenCameras()
 
 } // namespace
 
+/// An open camera for people, by its node; of each format and size the fastest mode is named, the best first.
 CameraDescription describeV4l2(const V4l2Device &device, const std::vector<V4l2Mode> &modes,
                                const V4l2Mode &chosen)
 {

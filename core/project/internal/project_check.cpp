@@ -41,12 +41,6 @@ struct KeptFile
     std::string adviceWhenMissing;
 };
 
-/// Compares the files that a project refers to with what it knows of them: that they are there, their sizes
-/// and, withHashes, their content. Each file is read once, however many trials and names it has (hard links
-/// too), and each problem is told once. Reports the part of the bytes read. Cancelled.
-Result<void> checkFiles(const std::vector<KeptFile> &files, bool withHashes, const JobControl &control,
-                        std::vector<ProjectProblem> &problems);
-
 namespace {
 
 struct FileOnDisk
@@ -155,6 +149,9 @@ private:
 
 } // namespace
 
+/// Compares the files that a project refers to with what it knows of them: that they are there, their sizes
+/// and, withHashes, their content. Each file is read once, however many trials and names it has (hard links
+/// too), and each problem is told once. Reports the part of the bytes read. Cancelled.
 Result<void> checkFiles(const std::vector<KeptFile> &files, bool withHashes, const JobControl &control,
                         std::vector<ProjectProblem> &problems)
 {
@@ -165,10 +162,6 @@ Result<void> checkFiles(const std::vector<KeptFile> &files, bool withHashes, con
 }
 
 struct ProjectConnection;
-
-/// What a file holds beyond the limits (limits.h), which is cut or left out as it is read: only another
-/// program can have written it.
-Result<std::vector<ProjectProblem>> beyondLimits(const ProjectConnection &connection);
 
 namespace {
 
@@ -217,6 +210,8 @@ constexpr const char *advice = "the rest is not read; change it here, or where t
 
 } // namespace
 
+/// What a file holds beyond the limits (limits.h), which is cut or left out as it is read: only another
+/// program can have written it.
 Result<std::vector<ProjectProblem>> beyondLimits(const ProjectConnection &connection)
 {
     std::vector<ProjectProblem> problems;

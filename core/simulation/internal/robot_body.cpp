@@ -25,11 +25,6 @@ struct SolidFace
     bool isSeenFrom(const Eigen::Vector3d &place) const { return normal.dot(place - corners.front()) > 0; }
 };
 
-/// The faces of a part, in the robot's frame. Round ones are regular prisms of the circle's area
-/// (cylinderSides); a sphere, of which one sees a disc from anywhere, is the disc that a camera at this place
-/// sees.
-std::vector<SolidFace> facesOf(const RobotPart &part, const Eigen::Vector3d &cameraInRobot);
-
 /// The base of an upright part, or the outline of any other seen from above; anticlockwise.
 std::vector<Eigen::Vector2d> outlineFromAbove(const RobotPart &part);
 
@@ -99,6 +94,9 @@ SolidFace discOf(const RobotPart &sphere, const Eigen::Vector3d &cameraInRobot)
 
 } // namespace
 
+/// The faces of a part, in the robot's frame. Round ones are regular prisms of the circle's area
+/// (cylinderSides); a sphere, of which one sees a disc from anywhere, is the disc that a camera at this place
+/// sees.
 std::vector<SolidFace> facesOf(const RobotPart &part, const Eigen::Vector3d &cameraInRobot)
 {
     if (part.shape == SimulatedShape::Sphere)

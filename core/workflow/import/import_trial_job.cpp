@@ -23,14 +23,6 @@
 
 namespace odo {
 
-/// Reads all views once, tracks the robots where two views or more are registered and measures the light, and
-/// finds for each view but the first how its clock lies against the first view's (findClipOffset):
-/// Undetermined, with the reason, where neither the motion nor a flash tells. Touches no project. Errors: a
-/// video that cannot be read; cancelled.
-Result<std::vector<Result<FoundOffset>>> findClipOffsets(const std::vector<RegisteredView> &views,
-                                                         const std::vector<RobotRecord> &robots,
-                                                         const JobControl &control);
-
 namespace {
 
 constexpr double longestOffsetS = 10;
@@ -70,6 +62,10 @@ std::string whyNoTracks(const RegisteredView &view, const std::vector<RobotRecor
 
 } // namespace
 
+/// Reads all views once, tracks the robots where two views or more are registered and measures the light, and
+/// finds for each view but the first how its clock lies against the first view's (findClipOffset):
+/// Undetermined, with the reason, where neither the motion nor a flash tells. Touches no project. Errors: a
+/// video that cannot be read; cancelled.
 Result<std::vector<Result<FoundOffset>>> findClipOffsets(const std::vector<RegisteredView> &views,
                                                          const std::vector<RobotRecord> &robots,
                                                          const JobControl &control)

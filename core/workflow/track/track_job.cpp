@@ -21,15 +21,6 @@ namespace odo {
 
 class Project;
 
-/// What is pointed out in a trial, with what a person says now in place of what was said of the same robot
-/// and view before; nothing else is changed. robots: those tracked. Errors: a robot or view that the trial
-/// has not, a robot that is found by its colour, a time without a picture, a place outside the picture.
-/// Project's thread.
-Result<std::vector<PointedOutRobot>> pointedOutRobots(Project &project, const TrialRecord &trial,
-                                                      const std::vector<RegisteredView> &views,
-                                                      const std::vector<RobotRecord> &robots,
-                                                      const std::vector<RobotPointer> &pointers);
-
 namespace {
 
 constexpr double longestAsideS = 0.1; // between the time told and the picture meant
@@ -71,6 +62,10 @@ Result<PointedOutRobot> resolved(const RobotPointer &pointer, const RobotRecord 
 
 } // namespace
 
+/// What is pointed out in a trial, with what a person says now in place of what was said of the same robot
+/// and view before; nothing else is changed. robots: those tracked. Errors: a robot or view that the trial
+/// has not, a robot that is found by its colour, a time without a picture, a place outside the picture.
+/// Project's thread.
 Result<std::vector<PointedOutRobot>> pointedOutRobots(Project &project, const TrialRecord &trial,
                                                       const std::vector<RegisteredView> &views,
                                                       const std::vector<RobotRecord> &robots,

@@ -23,11 +23,6 @@
 
 namespace odo {
 
-/// The background of a recording, from some ten frames a second of all of it. nullopt: it has no frame.
-/// onPicture: after each frame. Errors: a recording that is missing or is no video; cancelled.
-Result<std::optional<Background>> learnBackground(const RegisteredView &view, const CancelToken &cancel,
-                                                  const std::function<void()> &onPicture);
-
 namespace {
 
 constexpr double wantedPerSecond = 10; // frames that are looked at
@@ -35,6 +30,8 @@ constexpr std::size_t learnedAhead = 4;
 
 } // namespace
 
+/// The background of a recording, from some ten frames a second of all of it. nullopt: it has no frame.
+/// onPicture: after each frame. Errors: a recording that is missing or is no video; cancelled.
 Result<std::optional<Background>> learnBackground(const RegisteredView &view, const CancelToken &cancel,
                                                   const std::function<void()> &onPicture)
 {

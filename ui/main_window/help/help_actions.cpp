@@ -28,11 +28,6 @@ namespace odo {
 
 class CommandKeys;
 
-/// The list of keys, and what this program is. Not modal for the first, which one wants to read while
-/// working.
-void showKeys(const CommandKeys &keys, QWidget &window);
-void showAbout(QWidget &window);
-
 namespace {
 
 class HelpDialogsWords
@@ -63,6 +58,8 @@ QString commandTables(const CommandKeys &keys)
 
 } // namespace
 
+/// The list of keys, and what this program is. Not modal for the first, which one wants to read while
+/// working.
 void showKeys(const CommandKeys &keys, QWidget &window)
 {
     auto *dialog = new QDialog(&window);

@@ -21,19 +21,6 @@ namespace odo {
 
 /// "How was this computed?" of the facts of a trial's card that are measured.
 
-/// The times at which a robot passed the gates.
-Explanation explainPassages(const TrialScene &scene, std::size_t robot, const QString &value);
-/// A whole lap, or run from start to finish.
-Explanation explainLap(const TrialScene &scene, std::size_t robot, const Lap &lap, const QString &what);
-/// Several figures of one kind beneath one another: those whose names begin so ("cross_track", "zone_").
-Explanation explainFigures(const TrialScene &scene, std::size_t robot, const QString &what,
-                           const QString &value, const std::string &stem);
-/// How a view was put in step with the first; nullopt: it was told, or taken as begun together, and nothing
-/// was computed.
-std::optional<Explanation> explainStep(const SceneView &view, const QString &value);
-/// The robot's height; nullopt: it was told.
-std::optional<Explanation> explainHeight(const TrialScene &scene, std::size_t robot);
-
 namespace {
 
 class FactExplanationsWords
@@ -75,6 +62,7 @@ std::optional<StepWords> stepWords(const std::string &method)
 
 } // namespace
 
+/// The times at which a robot passed the gates.
 Explanation explainPassages(const TrialScene &scene, std::size_t robot, const QString &value)
 {
     Explanation told;
@@ -92,6 +80,7 @@ Explanation explainPassages(const TrialScene &scene, std::size_t robot, const QS
     return told;
 }
 
+/// A whole lap, or run from start to finish.
 Explanation explainLap(const TrialScene &scene, std::size_t robot, const Lap &lap, const QString &what)
 {
     Explanation told;
@@ -109,6 +98,7 @@ Explanation explainLap(const TrialScene &scene, std::size_t robot, const Lap &la
     return told;
 }
 
+/// Several figures of one kind beneath one another: those whose names begin so ("cross_track", "zone_").
 Explanation explainFigures(const TrialScene &scene, std::size_t robot, const QString &what,
                            const QString &value, const std::string &stem)
 {
@@ -130,6 +120,8 @@ Explanation explainFigures(const TrialScene &scene, std::size_t robot, const QSt
     return told;
 }
 
+/// How a view was put in step with the first; nullopt: it was told, or taken as begun together, and nothing
+/// was computed.
 std::optional<Explanation> explainStep(const SceneView &view, const QString &value)
 {
     const auto words = stepWords(view.recording.syncMethod);
@@ -147,6 +139,7 @@ std::optional<Explanation> explainStep(const SceneView &view, const QString &val
     return told;
 }
 
+/// The robot's height; nullopt: it was told.
 std::optional<Explanation> explainHeight(const TrialScene &scene, std::size_t robot)
 {
     const auto &analysis = scene.robots.at(robot).analysis;

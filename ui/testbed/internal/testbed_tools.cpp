@@ -38,9 +38,6 @@ namespace odo {
 
 /// An action that stands in the menu by its long words, and on a button beneath a table by its short ones.
 QAction *toolAction(const QString &icon, const QString &text, const QString &shortText, const QString &tip,
-                    QObject *parent);
-
-QAction *toolAction(const QString &icon, const QString &text, const QString &shortText, const QString &tip,
                     QObject *parent)
 {
     auto *action = new QAction(themeIcon(icon), text, parent);

@@ -32,12 +32,6 @@ class Project;
 
 /// The marker layout of the cameras, for a task lies among their markers; else the first one that there is.
 /// Project's thread.
-std::optional<MarkerLayout> layoutForTasks(Project &project);
-
-/// What an editor of a task begins with. task: of the project, or a new one (id 0); all: those that there
-/// are. Project's thread.
-TaskDraft draftOfTask(Project &project, const TaskRecord &task, const std::vector<TaskRecord> &all);
-
 std::optional<MarkerLayout> layoutForTasks(Project &project)
 {
     for (const CameraRecord &camera : project.cameras().all().value_or(std::vector<CameraRecord>())) {
@@ -51,6 +45,8 @@ std::optional<MarkerLayout> layoutForTasks(Project &project)
     return layouts && !layouts->empty() ? std::optional(layouts->front().layout) : std::nullopt;
 }
 
+/// What an editor of a task begins with. task: of the project, or a new one (id 0); all: those that there
+/// are. Project's thread.
 TaskDraft draftOfTask(Project &project, const TaskRecord &task, const std::vector<TaskRecord> &all)
 {
     TaskDraft draft;

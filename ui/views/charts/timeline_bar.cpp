@@ -227,9 +227,6 @@ void TimeSlider::paintEvent(QPaintEvent *)
 /// The signs of a player's buttons.
 enum class TransportSign { First, Play, Pause, Last };
 
-/// Painted at whatever size and device pixel ratio it is shown, in one colour; lighter when disabled.
-QIcon transportIcon(TransportSign sign, const QColor &colour);
-
 namespace {
 
 /// A triangle that points to the right, in a unit square.
@@ -296,6 +293,7 @@ private:
 
 } // namespace
 
+/// Painted at whatever size and device pixel ratio it is shown, in one colour; lighter when disabled.
 QIcon transportIcon(TransportSign sign, const QColor &colour)
 {
     return QIcon(new SignEngine(sign, colour));

@@ -19,11 +19,6 @@
 
 namespace odo {
 
-/// The names of the other programs that have a camera's node open, each once, in alphabetical order: as the
-/// kernel tells it of the programs of the same user (of all to the administrator). Empty where it tells of
-/// none. Any thread; takes some milliseconds.
-std::vector<std::string> programsThatHold(const std::filesystem::path &node);
-
 namespace {
 
 /// Links are read, never followed: what lies behind them may hang.
@@ -39,6 +34,9 @@ bool holds(const std::filesystem::path &process, const std::filesystem::path &no
 
 } // namespace
 
+/// The names of the other programs that have a camera's node open, each once, in alphabetical order: as the
+/// kernel tells it of the programs of the same user (of all to the administrator). Empty where it tells of
+/// none. Any thread; takes some milliseconds.
 std::vector<std::string> programsThatHold(const std::filesystem::path &node)
 {
     std::error_code problem;

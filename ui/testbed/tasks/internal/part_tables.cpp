@@ -119,10 +119,6 @@ void PartTable::removeCurrent()
 
 /// Places on the floor as a person writes them in tables: millimetres, without a grouping that could be read
 /// as a decimal sign. A place that is no number is empty.
-QString placeText(double metres);
-/// Of 1200,5 or 1200.5 in millimetres; NaN for what is no number.
-double placeOf(const QString &text);
-
 QString placeText(double metres)
 {
     if (!std::isfinite(metres))
@@ -134,6 +130,7 @@ QString placeText(double metres)
     return locale.toString(mm + 0.0, 'f', QLocale::FloatingPointShortest);
 }
 
+/// Of 1200,5 or 1200.5 in millimetres; NaN for what is no number.
 double placeOf(const QString &text)
 {
     return fromMillimetres(typedNumber(text).value_or(std::numeric_limits<double>::quiet_NaN()));
