@@ -8907,6 +8907,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>Save as a picture</source>
         <translation>Als Bild speichern</translation>
     </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>PDF-Dokumente (*.pdf)</translation>
+    </message>
 </context>
 <context>
     <name>odo::ChartSpan</name>
@@ -13027,6 +13031,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Key to the lines</source>
         <translation>Legende der Linien</translation>
+    </message>
+    <message>
+        <source>%1: click to hide or show</source>
+        <translation>%1: klicken zum Aus- oder Einblenden</translation>
     </message>
 </context>
 <context>

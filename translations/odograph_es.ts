@@ -8907,6 +8907,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>Save as a picture</source>
         <translation>Guardar como imagen</translation>
     </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>Documentos PDF (*.pdf)</translation>
+    </message>
 </context>
 <context>
     <name>odo::ChartSpan</name>
@@ -13027,6 +13031,10 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Key to the lines</source>
         <translation>Leyenda de las líneas</translation>
+    </message>
+    <message>
+        <source>%1: click to hide or show</source>
+        <translation>%1: haga clic para ocultar o mostrar</translation>
     </message>
 </context>
 <context>

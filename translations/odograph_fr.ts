@@ -8907,6 +8907,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>Save as a picture</source>
         <translation>Enregistrer comme image</translation>
     </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>Documents PDF (*.pdf)</translation>
+    </message>
 </context>
 <context>
     <name>odo::ChartSpan</name>
@@ -13027,6 +13031,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Key to the lines</source>
         <translation>Légende des lignes</translation>
+    </message>
+    <message>
+        <source>%1: click to hide or show</source>
+        <translation>%1 : cliquer pour masquer ou afficher</translation>
     </message>
 </context>
 <context>

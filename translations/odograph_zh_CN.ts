@@ -8901,6 +8901,10 @@ Much more than expected means that something is not as it was told: the views ar
         <source>Save as a picture</source>
         <translation>保存为图片</translation>
     </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>PDF 文档 (*.pdf)</translation>
+    </message>
 </context>
 <context>
     <name>odo::ChartSpan</name>
@@ -13008,6 +13012,10 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Key to the lines</source>
         <translation>图例</translation>
+    </message>
+    <message>
+        <source>%1: click to hide or show</source>
+        <translation>%1：单击可隐藏或显示</translation>
     </message>
 </context>
 <context>

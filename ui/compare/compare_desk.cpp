@@ -8,15 +8,14 @@
 #include "ui/models/timeline.h"
 #include "ui/models/trial_scene.h"
 #include "ui/views/charts/chart_bubbles.h"
+#include "ui/views/charts/chart_overlay.h"
 #include "ui/views/charts/chart_picture.h"
-#include "ui/views/charts/series_colours.h"
+#include "ui/views/charts/series_key.h"
 #include "ui/views/map/comparison_painting.h"
 #include "ui/views/picture/camera_view.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QComboBox>
-#include <QEvent>
-#include <QMouseEvent>
 #include <QPainter>
 #include <QSignalBlocker>
 #include <QSplitter>
@@ -69,9 +68,9 @@ bool sameFloor(const ComparisonScene &scene, std::size_t a, std::size_t b)
 
 CompareDesk::CompareDesk(Timeline &timeline, QWidget *parent)
     : DockDesk(QStringLiteral("compare"), parent), m_timeline(timeline),
-      m_mapCard(new Card(tr("Top-down map"))), m_map(new CompareMap(timeline)),
-      m_speed(new DistanceChart(timeline, Compared::Speed)),
-      m_difference(new DistanceChart(timeline, Compared::TimeDifference))
+      m_mapCard(new Card(tr("Top-down map"))), m_map(new CompareMap(timeline)), m_span(new AxisSpan(this)),
+      m_speed(new DistanceChart(timeline, *m_span, Compared::Speed)),
+      m_difference(new DistanceChart(timeline, *m_span, Compared::TimeDifference))
 {
     m_map->setAccessibleName(tr("Map of the floor with the ways of the runs and the gates of the sectors"));
     m_map->setToolTip(
@@ -100,6 +99,7 @@ CompareDesk::CompareDesk(Timeline &timeline, QWidget *parent)
     addDock(m_speed, QStringLiteral("compareSpeedDock"), m_speed->title(), 31);
     addDock(m_difference, QStringLiteral("compareDifferenceDock"), m_difference->title(), 31);
     resetLayout();
+    connect(m_speed, &DistanceChart::runToggled, &m_difference->area(), &DistanceArea::setRunShown);
     connect(&m_timeline, &Timeline::currentChanged, this, &CompareDesk::followTime);
     connect(m_map, &CompareMap::gatesMoved, this, &CompareDesk::gatesMoved);
     connect(m_map, &CompareMap::settled, this, &CompareDesk::settled);
@@ -127,6 +127,8 @@ void CompareDesk::setScene(ComparisonScenePtr scene)
     m_mapCard->setRemark(!m_scene || m_scene->compared.comparison.isTasksPath
                              ? tr("dashed: the task's path")
                              : tr("along the first run's way"));
+    const PathSpan common = m_scene ? comparedSpan(*m_scene) : PathSpan();
+    m_span->setWhole(common.lowM, common.highM);
     m_speed->setScene(m_scene);
     m_difference->setScene(m_scene);
     followTime();
@@ -173,54 +175,54 @@ bool CompareDesk::isSettled() const
            std::ranges::all_of(m_pictures, [](const CameraView *picture) { return picture->isSettled(); });
 }
 
-DistanceArea::DistanceArea(Timeline &timeline, Compared what, QWidget *parent)
-    : QWidget(parent), m_timeline(timeline), m_what(what), m_bubbles(new ChartBubbles(*this))
+DistanceArea::DistanceArea(Timeline &timeline, AxisSpan &span, Compared what, QWidget *parent)
+    : ChartView(span, comparedAxes(what), parent), m_timeline(timeline), m_what(what),
+      m_bubbles(new ChartBubbles(*this))
 {
-    setAttribute(Qt::WA_OpaquePaintEvent);
-    setFocusPolicy(Qt::StrongFocus);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    connect(&m_timeline, &Timeline::currentChanged, this, qOverload<>(&QWidget::update));
-    setRanges();
+    connect(&m_timeline, &Timeline::currentChanged, viewport(), qOverload<>(&QWidget::update));
 }
 
 void DistanceArea::setScene(ComparisonScenePtr scene)
 {
     m_scene = std::move(scene);
-    m_curves.clear();
-    if (m_scene)
-        m_curves = comparedCurves(*m_scene, m_what);
-    setRanges();
+    m_hidden.clear();
+    setAxes(comparedAxes(m_what));
+    setContent(m_scene ? comparedContent(*m_scene, m_what) : nullptr);
 }
 
-void DistanceArea::setRanges()
+void DistanceArea::setRunShown(int run, bool isShown)
 {
-    m_plot = comparedPlot(ChartPlot::rectIn(QRectF(rect())), m_scene.get(), m_what, m_curves);
-    m_still.forget();
-    update();
+    if (isShown)
+        m_hidden.remove(run);
+    else
+        m_hidden.insert(run);
+    setGroupShown(run, isShown);
 }
 
-void DistanceArea::paintCursor(QPainter &painter) const
+void DistanceArea::paintOver(QPainter &painter)
 {
     constexpr double rounding = 1e-3;
     m_bubbles->clear();
-    double distance = m_scene->distanceAt(0, m_timeline.currentTime());
-    if (distance < plot().low - rounding || distance > plot().high + rounding)
+    if (!m_scene)
         return;
-    distance = std::clamp(distance, plot().low, plot().high);
     const ChartPlot shown = plot();
+    double distance = m_scene->distanceAt(0, m_timeline.currentTime());
+    if (distance < shown.low - rounding || distance > shown.high + rounding)
+        return;
+    distance = std::clamp(distance, shown.low, shown.high);
     drawChartCursor(painter, shown, distance, palette());
     double top = shown.rect.top();
-    for (const DistanceCurve &curve : m_curves) {
-        const auto value = m_what == Compared::Speed ? speedAt(*m_scene, curve.run, distance)
-                                                     : differenceAt(*m_scene, curve.run, distance);
-        if (!value)
+    const std::size_t compared = m_scene->runCount() - (m_what == Compared::Speed ? 0 : 1);
+    for (std::size_t run = 0; run < m_scene->runCount(); ++run) {
+        const auto value = comparedAt(*m_scene, m_what, run, distance);
+        if (!value || m_hidden.contains(int(run)))
             continue;
         QString text = figureText(value->value, value->sigma, comparedUnit(m_what)).text();
-        if (m_what == Compared::Speed || m_curves.size() > 1)
-            text = joinedWords(QString::fromStdString(m_scene->name(curve.run)), text);
+        if (compared > 1)
+            text = joinedWords(QString::fromStdString(m_scene->name(run)), text);
         const QRectF bubble = drawChartBubble(painter, shown, {distance, value->value}, top, text,
-                                              seriesColour(int(curve.run), palette()), palette());
-        m_bubbles->add(bubble, [scene = m_scene, what = m_what, run = curve.run, distance, value = *value] {
+                                              seriesColour(int(run), palette()), palette());
+        m_bubbles->add(bubble, [scene = m_scene, what = m_what, run, distance, value = *value] {
             return what == Compared::Speed
                        ? explainSpeedOnWay(*scene, run, distance,
                                            figureText(value.value, value.sigma, comparedUnit(what)).text())
@@ -230,59 +232,21 @@ void DistanceArea::paintCursor(QPainter &painter) const
     }
 }
 
-void DistanceArea::paintEvent(QPaintEvent *)
-{
-    QPainter painter(this);
-    m_still.paint(painter, *this, ThemeColours::of(palette()).card, [this](QPainter &still) {
-        drawComparedCurves(still, m_plot, m_what, m_curves, font(), palette());
-    });
-    if (!m_scene)
-        return;
-    painter.setFont(font());
-    painter.setRenderHint(QPainter::Antialiasing);
-    paintCursor(painter);
-    drawChartFocus(painter, *this);
-}
-
-void DistanceArea::resizeEvent(QResizeEvent *)
-{
-    setRanges();
-}
-
-void DistanceArea::changeEvent(QEvent *event)
-{
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        m_still.forget();
-    QWidget::changeEvent(event);
-}
-
-void DistanceArea::goTo(double x)
+void DistanceArea::goTo(double distanceM)
 {
     if (!m_scene)
         return;
     const RunComparison &comparison = m_scene->compared.comparison;
-    const auto arrival = comparison.runs.front().arrivals.at(comparison.originM + plot().xAt(x));
+    const auto arrival = comparison.runs.front().arrivals.at(comparison.originM + distanceM);
     if (!arrival)
         return;
     m_timeline.pause();
     m_timeline.setCurrentTime(m_scene->commonTime(0, fromSeconds(arrival->timeS)));
 }
 
-void DistanceArea::mousePressEvent(QMouseEvent *event)
-{
-    if (event->button() == Qt::LeftButton)
-        goTo(event->position().x());
-}
-
-void DistanceArea::mouseMoveEvent(QMouseEvent *event)
-{
-    if (event->buttons() & Qt::LeftButton)
-        goTo(event->position().x());
-}
-
-DistanceChart::DistanceChart(Timeline &timeline, Compared what, QWidget *parent)
+DistanceChart::DistanceChart(Timeline &timeline, AxisSpan &span, Compared what, QWidget *parent)
     : Card(what == Compared::Speed ? tr("Speed along the way") : tr("Time difference along the way"), parent),
-      m_what(what), m_area(new DistanceArea(timeline, what)),
+      m_what(what), m_area(new DistanceArea(timeline, span, what)),
       m_key(what == Compared::Speed ? new SeriesKey(this) : nullptr)
 {
     setContent(m_area);
@@ -293,8 +257,11 @@ DistanceChart::DistanceChart(Timeline &timeline, Compared what, QWidget *parent)
             return PictureHeading{title(), m_names, remark()};
         },
         m_key);
-    if (m_key)
-        addToHeader(m_key);
+    if (!m_key)
+        return;
+    addToHeader(m_key);
+    connect(m_key, &SeriesKey::toggled, m_area, &DistanceArea::setRunShown);
+    connect(m_key, &SeriesKey::toggled, this, &DistanceChart::runToggled);
 }
 
 void DistanceChart::setScene(ComparisonScenePtr scene)

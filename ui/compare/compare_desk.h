@@ -2,12 +2,14 @@
 #pragma once
 
 #include "ui/models/comparison_scene.h"
-#include "ui/views/charts/chart_painting.h"
-#include "ui/views/charts/chart_picture.h"
+#include "ui/views/charts/axis_span.h"
+#include "ui/views/charts/chart_view.h"
+#include "ui/views/curves/comparison_curves.h"
 #include "ui/views/map/comparison_painting.h"
 #include "ui/views/widgets/card.h"
 #include "ui/views/widgets/dock_desk.h"
 
+#include <QSet>
 #include <QStringList>
 #include <memory>
 #include <vector>
@@ -53,6 +55,7 @@ private:
     std::vector<QComboBox *> m_viewLists;
     Card *m_mapCard;
     CompareMap *m_map;
+    AxisSpan *m_span; ///< of the distance
     DistanceChart *m_speed, *m_difference;
 };
 
@@ -61,38 +64,27 @@ class SeriesKey;
 
 /// The plot of one quantity of all runs against the distance; inside DistanceChart. The cursor stands where
 /// the first run is at the shared time; a click, a drag or the arrow keys move it.
-class DistanceArea : public QWidget
+class DistanceArea : public ChartView
 {
     Q_OBJECT
 public:
-    DistanceArea(Timeline &timeline, Compared what, QWidget *parent = nullptr);
+    /// span: of the distance in metres, shared with other charts; must outlive this.
+    DistanceArea(Timeline &timeline, AxisSpan &span, Compared what, QWidget *parent = nullptr);
 
     void setScene(ComparisonScenePtr scene);
-    QPointF positionOf(double distanceM, double value) const { return plot().at(distanceM, value); }
-
-    QSize sizeHint() const override { return {640, 180}; }
-    QSize minimumSizeHint() const override { return {220, 90}; }
+    /// The curves of a run come and go.
+    void setRunShown(int run, bool isShown);
 
 protected:
-    void paintEvent(QPaintEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
-    void changeEvent(QEvent *event) override;
-    void mousePressEvent(QMouseEvent *event) override;
-    void mouseMoveEvent(QMouseEvent *event) override;
+    void paintOver(QPainter &painter) override;
+    void goTo(double distanceM) override;
 
 private:
-    const ChartPlot &plot() const { return m_plot; }
-    void setRanges();
-    void paintCursor(QPainter &painter) const;
-    void goTo(double x);
-
     Timeline &m_timeline;
     Compared m_what;
     ChartBubbles *m_bubbles;
     ComparisonScenePtr m_scene;
-    std::vector<DistanceCurve> m_curves;
-    ChartPlot m_plot;
-    StillLayer m_still; ///< of plot
+    QSet<int> m_hidden; ///< runs
 };
 
 /// One quantity of all runs against the distance along the common path, with 95 % bands.
@@ -100,9 +92,13 @@ class DistanceChart : public Card
 {
     Q_OBJECT
 public:
-    DistanceChart(Timeline &timeline, Compared what, QWidget *parent = nullptr);
+    /// span: of the distance in metres, shared with other charts; must outlive this.
+    DistanceChart(Timeline &timeline, AxisSpan &span, Compared what, QWidget *parent = nullptr);
     void setScene(ComparisonScenePtr scene);
     DistanceArea &area() const { return *m_area; }
+
+Q_SIGNALS:
+    void runToggled(int run, bool isShown); ///< in the key
 
 private:
     Compared m_what;

@@ -37,7 +37,10 @@ bool BackgroundTask::start(Work work)
         });
     };
     auto thread = startThread(cannotDoThis, [control, finishLater, work = std::move(work)] {
-        finishLater(orShortage(cannotDoThis, [&] { return work(control); }));
+        finishLater(orShortage(cannotDoThis, [&] {
+            const CancelScope scope(&control.cancel);
+            return work(control);
+        }));
     });
     if (thread)
         m_thread = std::move(*thread);

@@ -24,13 +24,13 @@ using namespace odo;
 
 namespace {
 
-struct Chart
+struct SpeedChart
 {
     Timeline timeline;
     ProfileChart card{timeline, Quantity::Speed};
     ChartPicture *picture;
 
-    explicit Chart(const TrialScenePtr &scene) : picture(card.chartArea()->findChild<ChartPicture *>())
+    explicit SpeedChart(const TrialScenePtr &scene) : picture(card.chartArea()->findChild<ChartPicture *>())
     {
         timeline.setFrameTimes(scene->frameTimes());
         card.setScene(scene);
@@ -69,7 +69,7 @@ private Q_SLOTS:
     void linesAndWordsStaySuchInSvg()
     {
         const auto scene = exampleScene({.frames = 120, .robots = 2});
-        Chart chart(scene);
+        SpeedChart chart(scene);
         const QByteArray svg = chart.picture->svg();
         const SvgContent content(svg);
         QVERIFY(content.isWhole);
@@ -87,7 +87,7 @@ private Q_SLOTS:
     void itIsTheSameInEachThemeAndWithTheFocus()
     {
         const auto scene = exampleScene({.frames = 120});
-        Chart chart(scene);
+        SpeedChart chart(scene);
         const QByteArray svg = chart.picture->svg();
         const QImage image = chart.picture->image();
         QCOMPARE(image.size(), chart.card.chartArea()->size() * 3 +
@@ -123,7 +123,7 @@ private Q_SLOTS:
     }
     void itIsCopiedByTheKeysOfCopying()
     {
-        Chart chart(exampleScene({.frames = 60}));
+        SpeedChart chart(exampleScene({.frames = 60}));
         chart.card.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&chart.card));
         chart.card.chartArea()->setFocus();
@@ -135,18 +135,24 @@ private Q_SLOTS:
     }
     void itIsSavedByTheEndingOfItsFile()
     {
-        const Chart chart(exampleScene({.frames = 60}));
+        const SpeedChart chart(exampleScene({.frames = 60}));
         QTemporaryDir folder;
         const QString svg = folder.filePath(QStringLiteral("a.SVG")),
-                      png = folder.filePath(QStringLiteral("b.png"));
+                      png = folder.filePath(QStringLiteral("b.png")),
+                      pdf = folder.filePath(QStringLiteral("c.pdf"));
         QVERIFY(chart.picture->save(pathOf(svg)));
         QVERIFY(chart.picture->save(pathOf(png)));
+        QVERIFY(chart.picture->save(pathOf(pdf)));
+        QFile document(pdf);
+        QVERIFY(document.open(QIODevice::ReadOnly));
+        const QByteArray page = document.readAll();
+        QVERIFY(page.startsWith("%PDF") && page.contains("/Font") && !page.contains("/Subtype /Image"));
         QVERIFY(QSvgRenderer(svg).isValid());
         QCOMPARE(QImageReader(png).read().size(), chart.picture->image().size());
     }
     void aFileThatCannotBeWrittenIsTold()
     {
-        const Chart chart(exampleScene({.frames = 60}));
+        const SpeedChart chart(exampleScene({.frames = 60}));
         const auto saved = chart.picture->save("/nowhere/at/all/a.svg");
         QVERIFY(!saved);
         QVERIFY2(saved.error().message().find("/nowhere/at/all/a.svg") != std::string::npos,

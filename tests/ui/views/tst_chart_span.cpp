@@ -41,11 +41,11 @@ struct Charts
         speed.setScene(scene);
         acceleration.setScene(scene);
     }
-    ChartArea &area() { return *qobject_cast<ChartArea *>(speed.chartArea()); }
+    ChartArea &area() { return *speed.chartArea(); }
     QPoint at(double second) { return area().positionOf(fromSeconds(second), 0.5).toPoint(); }
     void drag(double from, double to)
     {
-        QWidget *plot = &area();
+        QWidget *plot = area().viewport();
         QTest::mousePress(plot, Qt::LeftButton, {}, at(from));
         QTest::mouseMove(plot, at((from + to) / 2));
         QTest::mouseMove(plot, at(to));
@@ -56,7 +56,7 @@ struct Charts
         const QPointF place = at(about);
         QWheelEvent event(place, area().mapToGlobal(place), {}, QPoint(0, 120 * notches), Qt::NoButton,
                           modifiers, Qt::NoScrollPhase, false);
-        QApplication::sendEvent(&area(), &event);
+        QApplication::sendEvent(area().viewport(), &event);
     }
 };
 
@@ -159,7 +159,7 @@ private Q_SLOTS:
         charts.drag(9, 7); // backwards
         QVERIFY(std::abs(toSeconds(charts.timeline.selection()->begin) - 7) < pixel + 0.02);
         const auto before = charts.timeline.selection();
-        QTest::mouseClick(&charts.area(), Qt::LeftButton, {},
+        QTest::mouseClick(charts.area().viewport(), Qt::LeftButton, {},
                           charts.at(4)); // goes there, and no more
         QCOMPARE(charts.timeline.selection(), before);
         QVERIFY(std::abs(toSeconds(charts.timeline.currentTime()) - 4) < pixel + 0.02);
@@ -173,7 +173,7 @@ private Q_SLOTS:
         const double low = charts.span.low();
         charts.turnWheel(-1, Qt::ShiftModifier, 5);
         QVERIFY(std::abs(charts.span.low() - low - 0.1 * width) < 1e-6);
-        QTest::mouseDClick(&charts.area(), Qt::LeftButton, {}, charts.at(5));
+        QTest::mouseDClick(charts.area().viewport(), Qt::LeftButton, {}, charts.at(5));
         QVERIFY(charts.span.showsAll());
     }
     void rangeAndFitArePainted()

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
-#include "ui/views/charts/chart_painting.h"
-#include "ui/views/charts/profile_curve.h"
-#include "ui/views/charts/simplified_line.h"
+#include "ui/views/charts/axis_ticks.h"
+#include "ui/views/curves/profile_curve.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QApplication>
@@ -17,43 +16,6 @@ class TestCurves : public QObject
 {
     Q_OBJECT
 private Q_SLOTS:
-    void decimationKeepsExtremes()
-    {
-        QList<QPointF> points;
-        for (int i = 0; i < 108'000; ++i) // an hour at 30 frames/s
-            points.append({i / 30.0, std::sin(i * 0.01)});
-        points[54'321].setY(99); // one frame alone
-        points[77'777].setY(-99);
-        constexpr int columns = 800;
-        const QList<QPointF> kept = decimated(points, 0, 3600, columns);
-        QVERIFY(kept.size() <= 4 * (columns + 1));
-        QVERIFY(kept.contains(points[54'321]));
-        QVERIFY(kept.contains(points[77'777]));
-        QCOMPARE(kept.first(), points.first());
-        QCOMPARE(kept.last(), points.last());
-        QVERIFY(std::is_sorted(kept.begin(), kept.end(), [](auto a, auto b) { return a.x() < b.x(); }));
-    }
-    void decimationOfAPartHasItsNeighbours()
-    {
-        QList<QPointF> points;
-        for (int i = 0; i < 216'000; ++i) // an hour at 60 frames/s
-            points.append({i / 60.0, std::sin(i * 0.01)});
-        points[100'000].setY(99);
-        const QList<QPointF> kept = decimated(points, 1600, 1700, 500);
-        QVERIFY(kept.size() <= 4 * 501 + 2);
-        QVERIFY(kept.contains(points[100'000]));
-        QVERIFY(kept.first().x() < 1600 && kept.last().x() > 1700); // so that the line runs out of the plot
-        QVERIFY(kept.first().x() > 1599.9 && kept.last().x() < 1700.1);
-        QCOMPARE(decimated(points, 10, 10.1, 500).size(), 9); // few enough: 7 inside, one beyond either end
-        QVERIFY(decimated(points, 5000, 6000, 500).size() <= 1);
-    }
-    void shortCurvesStayWhole()
-    {
-        const QList<QPointF> points{{0, 1}, {1, 2}, {2, 1}};
-        QCOMPARE(decimated(points, 0, 2, 100), points);
-        QCOMPARE(decimated({}, 0, 2, 100), QList<QPointF>());
-        QCOMPARE(decimated(points, 2, 2, 100), points); // a range of nothing
-    }
     void ticksAreRound_data()
     {
         QTest::addColumn<double>("low");
@@ -145,14 +107,15 @@ private Q_SLOTS:
         const std::vector<double> places = sampleTimes(profile);
         const auto spike = static_cast<std::size_t>(profile.spikes[1].sampleIndex); // a jump
         QVERIFY(measuredSpeed(profile, spike).has_value());
-        for (const QPointF &point : measuredPoints(profile, Quantity::Speed, places)) {
+        for (const BandPoint &point : measuredPoints(profile, Quantity::Speed, places).points) {
             // Neighbours too would be wrong: central differences use the spike.
             for (const std::size_t index : {spike - 1, spike, spike + 1})
-                QVERIFY(std::abs(point.x() - toSeconds(profile.samples[index].time)) > 1e-6);
+                QVERIFY(std::abs(point.x - toSeconds(profile.samples[index].time)) > 1e-6);
         }
-        QVERIFY(measuredPoints(profile, Quantity::TurnRate, places).isEmpty());
-        const QList<QPointF> measured = measuredPoints(profile, Quantity::PositionX, places);
-        QVERIFY(std::abs(measured[0].y() - profile.samples[0].position->x() * 1e3) < 1e-9); // mm
+        QVERIFY(measuredPoints(profile, Quantity::TurnRate, places).points.empty());
+        const CurveRun measured = measuredPoints(profile, Quantity::PositionX, places);
+        // mm, in single precision
+        QVERIFY(std::abs(double(measured.points[0].value) - profile.samples[0].position->x() * 1e3) < 1e-3);
         QVERIFY(!measuredSpeed(profile, 0));
     }
     void textStandsOutFromItsGround()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/views/charts/simplified_line.h"
+#include "ui/views/curves/simplified_line.h"
 
 #include "tests/support/registered_test.h"
 

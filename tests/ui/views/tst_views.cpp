@@ -208,10 +208,10 @@ private Q_SLOTS:
             map.setScene(shown);
             if (!QTest::qWaitFor([&] { return map.isSettled() && chart.isSettled(); }))
                 qFatal("chart and map do not settle");
-            auto *area = static_cast<ChartArea *>(chart.chartArea());
+            ChartArea *area = chart.chartArea();
             const QPoint inside = area->positionOf(900ms, 0.5).toPoint();
             QHelpEvent ask(QEvent::ToolTip, inside, area->mapToGlobal(inside));
-            QApplication::sendEvent(area, &ask);
+            QApplication::sendEvent(area->viewport(), &ask);
             m_said = QToolTip::text();
             QToolTip::hideText();
             return std::pair(shot(area), shot(map.mapArea()));
@@ -295,10 +295,11 @@ private Q_SLOTS:
     void chartMovesTheTime()
     {
         Desk desk(m_scene);
-        QWidget *area = desk.speed.chartArea();
-        QTest::mouseClick(area, Qt::LeftButton, {}, {area->width() - 14, 60});
+        const ChartArea *area = desk.speed.chartArea();
+        const QRect plot = area->plot().rect.toRect();
+        QTest::mouseClick(area->viewport(), Qt::LeftButton, {}, {plot.right() + 1, 60});
         QCOMPARE(desk.timeline.currentFrame(), desk.timeline.frameCount() - 1);
-        QTest::mouseClick(area, Qt::LeftButton, {}, {52, 60});
+        QTest::mouseClick(area->viewport(), Qt::LeftButton, {}, {plot.left(), 60});
         QCOMPARE(desk.timeline.currentFrame(), 0);
     }
     void sliderAndKeysMoveTheTime()

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/models/comparison_scene.h"
-#include "ui/views/charts/profile_curve.h"
+#include "ui/views/curves/profile_curve.h"
 
 #include <QWidget>
 

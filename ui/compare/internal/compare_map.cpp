@@ -3,7 +3,7 @@
 
 #include "ui/models/timeline.h"
 #include "ui/models/trial_scene.h"
-#include "ui/views/charts/chart_painting.h"
+#include "ui/views/charts/chart_overlay.h"
 #include "ui/views/map/comparison_painting.h"
 #include "ui/views/map/map_painting.h"
 #include "ui/views/map/trial_map.h"

@@ -9,16 +9,14 @@
 #include "ui/models/background_task.h"
 #include "ui/models/figure_text.h"
 #include "ui/models/results.h"
-#include "ui/views/charts/chart_painting.h"
+#include "ui/views/charts/axis_span.h"
 #include "ui/views/charts/chart_picture.h"
-#include "ui/views/charts/trend_painting.h"
+#include "ui/views/curves/trend_curves.h"
 #include "ui/views/widgets/card.h"
 #include "ui/views/widgets/table_list.h"
-#include "ui/views/widgets/theme.h"
 
 #include <QComboBox>
 #include <QHeaderView>
-#include <QPainter>
 #include <QSplitter>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -210,36 +208,30 @@ void TeamsPanel::showTeam()
     m_chart->setTeam(&team, m_model->teamName(current.row()), progressText(team, m_model->standings()));
 }
 
-TrendChart::TrendChart(QWidget *parent) : QWidget(parent)
+TrendChart::TrendChart(QWidget *parent) : ChartView(*new AxisSpan, {}, parent)
 {
+    span().setParent(this);
     setAccessibleName(tr("Progress of the team"));
-    setFocusPolicy(Qt::StrongFocus);
     new ChartPicture(*this, [this] { return PictureHeading{accessibleName(), {m_name}, {}}; });
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
 }
 
 void TrendChart::setTeam(const TeamStanding *team, const QString &name, const QString &progress)
 {
-    m_team = team ? *team : TeamStanding();
     m_name = name;
     setAccessibleDescription(
         team ? tr("%1: %2 trials, progress: %3").arg(name).arg(team->runs.size()).arg(progress)
              : tr("No team is selected"));
-    update();
-}
-
-void TrendChart::paintEvent(QPaintEvent *)
-{
-    QPainter painter(this);
-    painter.setFont(font());
-    if (!m_team.runs.empty()) {
-        drawTrend(painter, rect(), m_team, palette());
-    } else {
-        painter.setPen(ThemeColours::of(palette()).muted);
-        painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("Select a team to see its trials through the term."));
+    if (!team || team->runs.empty()) {
+        auto nothing = std::make_shared<ChartContent>();
+        nothing->emptyWords = tr("Select a team to see its trials through the term.");
+        setContent(std::move(nothing));
+        return;
     }
-    drawChartFocus(painter, *this);
+    const ChartDrawing trend = trendDrawing(*team);
+    span().setWhole(trend.low, trend.high);
+    setAxes(trend.axes);
+    setContent(trend.content);
 }
 
 } // namespace odo

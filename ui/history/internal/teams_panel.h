@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/workflow/compare/standings.h"
+#include "ui/views/charts/chart_view.h"
 
 #include <QWidget>
 #include <memory>
@@ -63,7 +64,7 @@ private:
 
 /// A team's runs through the term: a point each, the line of progress through them, and the band of the
 /// spread about it. What it shows is told in words as its accessible description.
-class TrendChart : public QWidget
+class TrendChart : public ChartView
 {
     Q_OBJECT
 public:
@@ -74,11 +75,7 @@ public:
     QSize sizeHint() const override { return {600, 190}; }
     QSize minimumSizeHint() const override { return {240, 120}; }
 
-protected:
-    void paintEvent(QPaintEvent *event) override;
-
 private:
-    TeamStanding m_team; ///< of no runs: nothing is shown
     QString m_name;
 };
 

@@ -3,7 +3,10 @@
 
 #include "ui/models/figure_text.h"
 #include "ui/models/shown_names.h"
+#include "ui/views/charts/chart_drawing.h"
+#include "ui/views/charts/chart_overlay.h"
 #include "ui/views/charts/profile_chart.h"
+#include "ui/views/curves/profile_curve.h"
 #include "ui/views/map/trial_map.h"
 #include "ui/views/picture/camera_view.h"
 #include "ui/views/picture/picture_overlay.h"
@@ -66,12 +69,6 @@ AnnotatedPicture::AnnotatedPicture(TrialScenePtr scene, AnnotatedLook look)
     for (const SceneRobot &robot : m_scene->robots)
         places.push_back(robot.analysis ? sampleTimes(robot.analysis->profile) : std::vector<double>());
     m_curves = TrialCurves(m_scene, Quantity::Speed, places);
-    m_plot.rect = ChartPlot::rectIn(QRectF(QPointF(0, titleHeight), m_chart.size() - QSizeF(0, titleHeight)));
-    const auto &times = m_scene->frameTimes();
-    m_plot.low = toSeconds(times.front());
-    m_plot.high = std::max(toSeconds(times.back()), m_plot.low + 1e-3);
-    m_plot.values = coveringTicks(m_curves.range().low, m_curves.range().high,
-                                  std::max(2, static_cast<int>(m_plot.rect.height() / 23)));
 }
 
 void AnnotatedPicture::layOut()
@@ -231,7 +228,7 @@ void AnnotatedPicture::paintMapStill(QPainter &painter) const
     painter.restore();
 }
 
-void AnnotatedPicture::paintChartStill(QPainter &painter) const
+void AnnotatedPicture::paintChartStill(QPainter &painter)
 {
     const QPalette &palette = m_look.palette;
     paintCard(painter, m_chart, ThemeColours::of(palette).card, palette);
@@ -243,8 +240,13 @@ void AnnotatedPicture::paintChartStill(QPainter &painter) const
     painter.drawText(QRectF(12, 2, m_chart.width() - 24, titleHeight), Qt::AlignLeft | Qt::AlignVCenter,
                      QStringLiteral("%1, %2").arg(quantityName(Quantity::Speed), curveUnit(Quantity::Speed)));
     painter.setFont(font(textPx));
-    drawChartAxes(painter, m_plot, ShownUnit{QStringLiteral("s"), 1}, painter.font(), palette);
-    m_curves.draw(painter, m_plot, palette);
+    const auto &times = m_scene->frameTimes();
+    ChartDrawing drawing;
+    drawing.content = m_curves.content();
+    drawing.low = toSeconds(times.front());
+    drawing.high = std::max(toSeconds(times.back()), drawing.low + 1e-3);
+    m_plot = drawChart(painter, QRectF(QPointF(0, titleHeight), m_chart.size() - QSizeF(0, titleHeight)),
+                       drawing, palette, font(textPx), m_scale);
     painter.restore();
 }
 

@@ -70,7 +70,7 @@ private:
     void paintFloorLayer();
     void paintHeader(QPainter &painter) const;
     void paintMapStill(QPainter &painter) const;
-    void paintChartStill(QPainter &painter) const;
+    void paintChartStill(QPainter &painter);
     void paintTime(QPainter &painter, Nanoseconds time) const;
     void paintView(QPainter &painter, std::size_t view, const ViewMoment &moment) const;
 
@@ -81,7 +81,7 @@ private:
     std::vector<QRectF> m_views;
     MapPlan m_plan;
     TrialCurves m_curves;
-    ChartPlot m_plot; ///< within the chart
+    ChartPlot m_plot; ///< within the chart, once it was painted
     double m_topSpeedMps = 0;
     FloorPicture m_floor;
     QImage m_still; ///< what does not move; null: to be painted

@@ -9,8 +9,9 @@
 #include "ui/models/results.h"
 #include "ui/models/shown_names.h"
 #include "ui/report/internal/report_painting.h"
-#include "ui/views/charts/chart_painting.h"
-#include "ui/views/charts/trend_painting.h"
+#include "ui/views/charts/axis_ticks.h"
+#include "ui/views/charts/chart_drawing.h"
+#include "ui/views/curves/trend_curves.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QCoreApplication>
@@ -424,8 +425,7 @@ void ClassPage::paintTeam(const QRectF &sheet, std::size_t index)
     const QRectF trend =
         drawPartTitle(m_painter, QRectF(room.left(), room.top(), room.width(), trendHeight),
                       ClassReportWords::tr("Through the term"), progressText(team, m_standings));
-    m_painter.setFont(reportFont(smallSize));
-    drawTrend(m_painter, trend, team, reportPalette());
+    drawChart(m_painter, trend, trendDrawing(team), reportPalette(), reportFont(smallSize));
     room.setTop(room.top() + trendHeight + partGap);
     paintRuns(room, team);
 }

@@ -8,7 +8,8 @@
 #include "ui/report/internal/run_painting.h"
 #include "ui/report/internal/trial_content.h"
 #include "ui/report/trial_report.h"
-#include "ui/views/charts/profile_curve.h"
+#include "ui/views/charts/chart_drawing.h"
+#include "ui/views/curves/comparison_curves.h"
 #include "ui/views/map/comparison_painting.h"
 #include "ui/views/widgets/theme.h"
 
@@ -95,20 +96,15 @@ void ComparisonPage::paintRun(const QRectF &rect, int side)
 void ComparisonPage::paintCurves(const QRectF &rect, Compared what, const QString &title,
                                  const QString &remark)
 {
-    QRectF room = drawPartTitle(m_painter, rect, title, remark);
-    std::vector<DistanceCurve> curves = comparedCurves(m_scene, what);
-    std::erase_if(curves, [this](const DistanceCurve &curve) {
-        return curve.run != 0 && curve.run != m_content.other;
-    });
-    m_painter.save();
-    m_painter.translate(room.topLeft());
-    const QFont font = reportFont(smallSize);
-    m_painter.setFont(font);
-    ChartPlot plot =
-        comparedPlot(ChartPlot::rectIn(QRectF(QPointF(0, 0), room.size())), &m_scene, what, curves);
-    plot.fineness = 6;
-    drawComparedCurves(m_painter, plot, what, curves, font, reportPalette());
-    m_painter.restore();
+    const QRectF room = drawPartTitle(m_painter, rect, title, remark);
+    const PathSpan common = comparedSpan(m_scene);
+    drawChart(m_painter, room,
+              {comparedContent(m_scene, what, {0, m_content.other}),
+               comparedAxes(what),
+               common.lowM,
+               common.highM,
+               {}},
+              reportPalette(), reportFont(smallSize));
 }
 
 void ComparisonPage::paintTable(const QRectF &rect, const QString &title, const DifferenceModel &model)

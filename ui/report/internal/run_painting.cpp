@@ -6,7 +6,8 @@
 #include "ui/models/figure_text.h"
 #include "ui/models/trial_scene.h"
 #include "ui/report/internal/report_painting.h"
-#include "ui/views/charts/profile_curve.h"
+#include "ui/views/charts/chart_drawing.h"
+#include "ui/views/curves/profile_curve.h"
 #include "ui/views/map/comparison_painting.h"
 #include "ui/views/map/map_painting.h"
 #include "ui/views/map/trial_map.h"
@@ -135,8 +136,6 @@ std::vector<RunEvent> runEvents(const Profile &profile, std::size_t most)
 
 namespace {
 
-constexpr double printFineness = 6; // columns to 1/96 inch
-
 class ReportChartWords
 {
     Q_DECLARE_TR_FUNCTIONS(ReportChart)
@@ -149,20 +148,18 @@ QString titleOf(Quantity quantity)
                : ReportChartWords::tr("Acceleration along the path, %1").arg(curveUnit(quantity));
 }
 
-/// Slanted lines over the time of the spikes: they survive a copier.
-void drawHatch(QPainter &painter, const ChartPlot &plot, double from, double to)
+/// Hatched over the time of the spikes: that survives a copier.
+std::vector<ChartStretch> spikeStretches(const std::vector<RunEvent> &events, double apartS)
 {
-    constexpr double least = 5, apart = 4;
-    const double middle = (plot.at(from, 0).x() + plot.at(to, 0).x()) / 2;
-    const double half = std::max(least, plot.at(to, 0).x() - plot.at(from, 0).x()) / 2;
-    const QRectF box =
-        QRectF(middle - half, plot.rect.top(), 2 * half, plot.rect.height()).intersected(plot.rect);
-    painter.save();
-    painter.setClipRect(box);
-    painter.setPen(QPen(ThemeColours::of(reportPalette()).spike, 0.6));
-    for (double y = box.top() - box.width(); y < box.bottom() + box.width(); y += apart)
-        painter.drawLine(QPointF(box.left(), y + box.width()), QPointF(box.right(), y));
-    painter.restore();
+    std::vector<ChartStretch> stretches;
+    for (const RunEvent &event : events) {
+        if (event.kind != RunEvent::Kind::Spike)
+            continue;
+        const double middle = (toSeconds(event.time) + toSeconds(event.until)) / 2,
+                     half = std::max(apartS, toSeconds(event.until - event.time)) / 2;
+        stretches.push_back({middle - half, middle + half, true});
+    }
+    return stretches;
 }
 
 void drawEvents(QPainter &painter, const ChartPlot &plot, const std::vector<RunEvent> &events)
@@ -207,38 +204,30 @@ void drawRunChart(QPainter &painter, const QRectF &rect, const Profile &profile,
     const QRectF room =
         drawPartTitle(painter, rect, titleOf(quantity),
                       ReportChartWords::tr("smoothed, with its ±95 % band; dots: as measured"));
+    constexpr double numberRoom = 6, leastStretch = 0.012;
     const std::vector<double> times = sampleTimes(profile);
-    std::vector<CurveRun> runs = curveRuns(curveValues(profile, quantity), times);
-    std::erase_if(runs, [](const CurveRun &run) { return !run.isLine(); });
-    if (runs.empty()) {
+    ProfileCurves curves = profileCurves(profile, quantity, times);
+    std::erase_if(curves.line.runs, [](const CurveRun &run) { return !run.isLine(); });
+    if (curves.line.runs.empty()) {
         drawLine(painter, room, ReportChartWords::tr("No curve: the robot was not seen"),
                  reportFont(bodySize), colours.muted, Qt::AlignCenter);
         return;
     }
     std::vector<const CurveRun *> shown;
-    for (const CurveRun &run : runs)
+    for (const CurveRun &run : curves.line.runs)
         shown.push_back(&run);
-    const ValueRange range = valueRange(shown, quantity);
+    auto content = std::make_shared<ChartContent>();
+    content->range = valueRange(shown, quantity);
+    content->curves = {std::move(curves.measured), std::move(curves.line), std::move(curves.spikes)};
+    ChartDrawing drawing;
+    drawing.content = std::move(content);
+    drawing.low = times.front();
+    drawing.high = std::max(times.back(), times.front() + 1e-3);
+    drawing.stretches = spikeStretches(events, leastStretch * (drawing.high - drawing.low));
+    const ChartPlot plot =
+        drawChart(painter, room.adjusted(0, numberRoom, 0, 0), drawing, palette, reportFont(smallSize));
     painter.save();
-    painter.translate(rect.left(), room.top());
-    ChartPlot plot{ChartPlot::rectIn(QRectF(0, 0, room.width(), room.height())).adjusted(0, 6, 0, 0),
-                   times.front(),
-                   std::max(times.back(), times.front() + 1e-3),
-                   {},
-                   printFineness};
-    plot.values = coveringTicks(range.low, range.high, std::max(2, int(plot.rect.height() / 20)));
-    const QFont font = reportFont(smallSize);
-    painter.setFont(font);
-    drawChartAxes(painter, plot, {QStringLiteral("s"), 1}, font, palette);
     painter.setRenderHint(QPainter::Antialiasing);
-    for (const RunEvent &event : events)
-        if (event.kind == RunEvent::Kind::Spike)
-            drawHatch(painter, plot, toSeconds(event.time), toSeconds(event.until));
-    drawCurvePoints(painter, plot, measuredPoints(profile, quantity, times), colours.point);
-    for (const CurveRun &run : runs)
-        drawCurveRun(painter, plot, run, {seriesColour(0, palette), Qt::SolidLine});
-    painter.setRenderHint(QPainter::Antialiasing);
-    drawChartSpikes(painter, plot, spikePoints(profile, quantity, times), palette);
     drawEvents(painter, plot, events);
     painter.restore();
 }

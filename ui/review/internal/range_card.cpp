@@ -5,7 +5,7 @@
 #include "ui/models/figure_text.h"
 #include "ui/models/timeline.h"
 #include "ui/views/charts/profile_chart.h"
-#include "ui/views/charts/profile_curve.h"
+#include "ui/views/curves/profile_curve.h"
 #include "ui/views/widgets/fact_list.h"
 
 #include <QComboBox>

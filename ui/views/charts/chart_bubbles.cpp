@@ -3,19 +3,20 @@
 
 #include "ui/views/widgets/fact_list.h"
 
+#include <QAbstractScrollArea>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QToolTip>
-#include <QWidget>
 #include <algorithm>
 #include <utility>
 
 namespace odo {
 
-ChartBubbles::ChartBubbles(QWidget &chart) : QObject(&chart), m_chart(chart)
+ChartBubbles::ChartBubbles(QAbstractScrollArea &chart) : QObject(&chart), m_chart(chart)
 {
-    chart.installEventFilter(this);
+    chart.installEventFilter(this); // keys
+    chart.viewport()->installEventFilter(this);
 }
 
 void ChartBubbles::add(const QRectF &place, std::function<Explanation()> how)

@@ -8,7 +8,7 @@
 #include <QRectF>
 #include <functional>
 
-class QWidget;
+class QAbstractScrollArea;
 
 namespace odo {
 
@@ -18,7 +18,7 @@ class ChartBubbles : public QObject
 {
     Q_OBJECT
 public:
-    explicit ChartBubbles(QWidget &chart);
+    explicit ChartBubbles(QAbstractScrollArea &chart);
     /// To be called whenever the chart is painted: what stands there now, from above.
     void clear() { m_bubbles.clear(); }
     void add(const QRectF &place, std::function<Explanation()> how);
@@ -37,7 +37,7 @@ private:
     const Bubble *at(const QPointF &point) const;
     void explain(const Bubble &bubble) const;
 
-    QWidget &m_chart;
+    QAbstractScrollArea &m_chart;
     QList<Bubble> m_bubbles;
     bool m_isPressed = false; ///< what follows until the button is released is not the chart's
 };

@@ -4,7 +4,8 @@
 #include "core/exchange/file_name.h"
 #include "core/files/output_file.h"
 #include "ui/models/core_words.h"
-#include "ui/views/charts/series_colours.h"
+#include "ui/views/charts/chart_view.h"
+#include "ui/views/charts/series_key.h"
 #include "ui/views/widgets/path_field.h"
 #include "ui/views/widgets/theme.h"
 
@@ -16,8 +17,10 @@
 #include <QGuiApplication>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPageSize>
 #include <QPaintEngine>
 #include <QPainter>
+#include <QPdfWriter>
 #include <QStandardPaths>
 #include <QSvgGenerator>
 #include <QWidget>
@@ -29,7 +32,7 @@ namespace {
 
 constexpr int margin = 8;
 constexpr double dotsPerPixel = 3; // 288 dots an inch: enough for print
-const QString svgEnding = QStringLiteral("svg");
+const QString svgEnding = QStringLiteral("svg"), pdfEnding = QStringLiteral("pdf");
 
 /// A widget as it looks in light, while it lives. Nothing is seen of it: the screen is painted later.
 class InLight
@@ -80,6 +83,12 @@ ChartPicture::ChartPicture(QWidget &plot, std::function<PictureHeading()> headin
     plot.setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
+ChartPicture::ChartPicture(ChartView &plot, std::function<PictureHeading()> heading, SeriesKey *key)
+    : ChartPicture(static_cast<QWidget &>(plot), std::move(heading), key)
+{
+    m_paintPlot = [&plot](QPainter &painter) { plot.paintPicture(painter); };
+}
+
 bool ChartPicture::isPaintedBy(const QPainter &painter, const QWidget &plot)
 {
     return painter.paintEngine()->type() == QPaintEngine::SVG ||
@@ -127,6 +136,11 @@ void ChartPicture::paint(QPainter &painter) const
     painter.fillRect(QRect(QPoint(), size()), Qt::white);
     paintHead(painter);
     const InLight light(m_plot);
+    if (m_paintPlot) {
+        painter.translate(0, headHeight());
+        m_paintPlot(painter);
+        return;
+    }
     m_plot.render(&painter, QPoint(0, headHeight()), {}, QWidget::DrawChildren);
 }
 
@@ -146,6 +160,29 @@ QByteArray ChartPicture::svg() const
     return bytes;
 }
 
+QByteArray ChartPicture::pdf() const
+{
+    constexpr int dotsPerInch = 1200;
+    constexpr double pointsPerInch = 72;
+    const double dpi = m_plot.logicalDpiX();
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    QPdfWriter writer(&buffer);
+    writer.setTitle(m_heading().title());
+    writer.setCreator(QStringLiteral("Odograph " ODOGRAPH_VERSION));
+    writer.setResolution(dotsPerInch);
+    writer.setPageMargins(QMarginsF());
+    writer.setPageSize(
+        QPageSize(QSizeF(size()) * pointsPerInch / dpi, QPageSize::Point, {}, QPageSize::ExactMatch));
+    QPainter painter(&writer);
+    painter.scale(dotsPerInch / dpi, dotsPerInch / dpi);
+    painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
+    paint(painter);
+    painter.end();
+    return bytes;
+}
+
 QImage ChartPicture::image() const
 {
     const double scale = dotsPerPixel * m_plot.devicePixelRatioF();
@@ -159,8 +196,8 @@ QImage ChartPicture::image() const
 
 Result<void> ChartPicture::save(const OutputTarget &target) const
 {
-    const bool isSvg = QFileInfo(textOf(target.file)).suffix().compare(svgEnding, Qt::CaseInsensitive) == 0;
-    const QByteArray bytes = isSvg ? svg() : pngOf(image());
+    const QString ending = QFileInfo(textOf(target.file)).suffix().toLower();
+    const QByteArray bytes = ending == svgEnding ? svg() : ending == pdfEnding ? pdf() : pngOf(image());
     return writeOutput(target, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 
@@ -178,6 +215,7 @@ void ChartPicture::askSave() const
     const QString name = QString::fromStdString(fileNameOf(m_heading().title().toStdString()));
     const auto chosen = askOutput(&m_plot, tr("Save as a picture"), folder.filePath(name + u'.' + svgEnding),
                                   {{tr("SVG pictures (*.svg)"), svgEnding, FileKind::Svg},
+                                   {tr("PDF documents (*.pdf)"), pdfEnding, FileKind::Pdf},
                                    {tr("PNG pictures (*.png)"), QStringLiteral("png"), FileKind::Png}});
     if (!chosen)
         return;

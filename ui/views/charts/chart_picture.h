@@ -15,6 +15,7 @@ class QWidget;
 
 namespace odo {
 
+class ChartView;
 class SeriesKey;
 
 /// What stands above a picture.
@@ -29,8 +30,9 @@ struct PictureHeading
 
 /// A chart or map as a picture for other documents: what it shows, with its heading and the key to its lines
 /// above, on white whatever the theme is, and without the frame of the focus. The plot gets two actions for
-/// it, in its context menu: copy (also by the keys of copying while it has the focus) and save, as SVG, whose
-/// lines and words stay such, or as PNG of three dots a logical pixel. Child of the plot. GUI thread.
+/// it, in its context menu: copy (also by the keys of copying while it has the focus) and save, as SVG or
+/// PDF, in which lines and words stay such, or as PNG of three dots a logical pixel. Child of the plot. GUI
+/// thread.
 class ChartPicture : public QObject
 {
     Q_OBJECT
@@ -38,10 +40,13 @@ public:
     /// The heading's title is also the proposed file's name. key: nullptr: none; must outlive the plot's
     /// actions.
     ChartPicture(QWidget &plot, std::function<PictureHeading()> heading, SeriesKey *key = nullptr);
+    /// Of a chart, by what paints it on the screen.
+    ChartPicture(ChartView &plot, std::function<PictureHeading()> heading, SeriesKey *key = nullptr);
 
     QByteArray svg() const;
+    QByteArray pdf() const; ///< one page as large as the picture
     QImage image() const;
-    /// As SVG where the file's ending says so, else as PNG. Errors: those of OutputFile.
+    /// As SVG or PDF where the file's ending says so, else as PNG. Errors: those of OutputFile.
     Result<void> save(const OutputTarget &target) const;
     void copy() const;
 
@@ -58,6 +63,7 @@ private:
     QWidget &m_plot;
     std::function<PictureHeading()> m_heading;
     SeriesKey *m_key;
+    std::function<void(QPainter &)> m_paintPlot; ///< empty: as it paints itself
 };
 
 /// What of a view does not change with the time, kept as a picture of its size, so that moving the cursor

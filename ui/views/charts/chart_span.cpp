@@ -3,7 +3,7 @@
 
 #include "core/analysis/motion_stretches.h"
 #include "ui/models/timeline.h"
-#include "ui/views/charts/profile_curve.h"
+#include "ui/views/curves/profile_curve.h"
 
 #include <QAction>
 #include <algorithm>
@@ -11,11 +11,10 @@
 
 namespace odo {
 namespace {
-constexpr double narrowest = 1e-4; // of the whole
 constexpr double keyStep = 1.5;
 } // namespace
 
-ChartSpan::ChartSpan(Timeline &timeline, QObject *parent) : QObject(parent), m_timeline(timeline)
+ChartSpan::ChartSpan(Timeline &timeline, QObject *parent) : AxisSpan(parent), m_timeline(timeline)
 {
     makeActions();
     connect(&m_timeline, &Timeline::currentChanged, this, &ChartSpan::followTime);
@@ -30,7 +29,7 @@ void ChartSpan::makeActions()
         m_actions << action;
         return action;
     };
-    const auto about = [this] { return std::clamp(cursorPlace(m_timeline.currentTime()), m_low, m_high); };
+    const auto about = [this] { return std::clamp(cursorPlace(m_timeline.currentTime()), low(), high()); };
     connect(add(QStringLiteral("zoomIn"), tr("Charts: show &less"), QKeySequence(Qt::CTRL | Qt::Key_Plus)),
             &QAction::triggered, this, [this, about] { zoom(keyStep, about()); });
     connect(add(QStringLiteral("zoomOut"), tr("Charts: show &more"), QKeySequence(Qt::CTRL | Qt::Key_Minus)),
@@ -64,7 +63,7 @@ void ChartSpan::setAgainst(Against against)
 void ChartSpan::makePlaces()
 {
     auto all = std::make_shared<SamplePlaces>();
-    m_wholeLow = m_wholeHigh = 0;
+    double from = 0, to = 0;
     for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot) {
         std::vector<double> places;
         if (const auto &analysis = m_scene->robots[robot].analysis) {
@@ -72,56 +71,27 @@ void ChartSpan::makePlaces()
             places = m_against == Against::Distance ? drivenWay(profile.samples, profile.points)
                                                     : sampleTimes(profile);
             if (m_against == Against::Distance && !places.empty())
-                m_wholeHigh = std::max(m_wholeHigh, places.back());
+                to = std::max(to, places.back());
         }
         all->push_back(std::move(places));
     }
     m_places = std::move(all);
     if (m_against == Against::Time && m_scene && !m_scene->frameTimes().empty()) {
-        m_wholeLow = toSeconds(m_scene->frameTimes().front());
-        m_wholeHigh = toSeconds(m_scene->frameTimes().back());
+        from = toSeconds(m_scene->frameTimes().front());
+        to = toSeconds(m_scene->frameTimes().back());
     }
-    if (m_wholeHigh <= m_wholeLow)
-        m_wholeHigh = m_wholeLow + 1;
-    m_low = m_wholeLow;
-    m_high = m_wholeHigh;
+    setWhole(from, to);
     Q_EMIT axisChanged();
-}
-
-void ChartSpan::show(double low, double high)
-{
-    const double whole = m_wholeHigh - m_wholeLow;
-    if (!std::isfinite(low) || !std::isfinite(high) || high < low)
-        return;
-    const double width = std::clamp(high - low, narrowest * whole, whole);
-    low = std::clamp((low + high - width) / 2, m_wholeLow, m_wholeHigh - width);
-    if (low == m_low && low + width == m_high)
-        return;
-    m_low = low;
-    m_high = low + width;
-    Q_EMIT spanChanged();
-}
-
-void ChartSpan::zoom(double factor, double about)
-{
-    show(about - (about - m_low) / factor, about + (m_high - about) / factor);
-}
-
-void ChartSpan::pan(double share)
-{
-    const double width = m_high - m_low;
-    const double low = std::clamp(m_low + share * width, m_wholeLow, m_wholeHigh - width);
-    show(low, low + width);
 }
 
 void ChartSpan::followTime()
 {
     if (showsAll())
         return;
-    const double place = cursorPlace(m_timeline.currentTime()), width = m_high - m_low;
-    if (place > m_high)
+    const double place = cursorPlace(m_timeline.currentTime()), width = high() - low();
+    if (place > high())
         show(place - 0.1 * width, place + 0.9 * width);
-    else if (place < m_low)
+    else if (place < low())
         show(place - 0.9 * width, place + 0.1 * width);
 }
 

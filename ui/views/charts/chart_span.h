@@ -2,9 +2,9 @@
 #pragma once
 
 #include "ui/models/trial_scene.h"
+#include "ui/views/charts/axis_span.h"
 
 #include <QList>
-#include <QObject>
 #include <memory>
 #include <vector>
 
@@ -21,7 +21,7 @@ using SamplePlaces = std::vector<std::vector<double>>;
 /// What of a run the charts of a page show: against the time (seconds) or against the way driven (metres),
 /// and from where to where. One for all charts of a page, so that they stand below one another. When the
 /// shared time leaves what is visible, it follows. GUI thread.
-class ChartSpan : public QObject
+class ChartSpan : public AxisSpan
 {
     Q_OBJECT
 public:
@@ -34,19 +34,6 @@ public:
     const TrialScenePtr &scene() const { return m_scene; }
     Against against() const { return m_against; }
     void setAgainst(Against against);
-
-    double low() const { return m_low; }
-    double high() const { return m_high; }
-    double wholeLow() const { return m_wholeLow; }
-    double wholeHigh() const { return m_wholeHigh; }
-    /// Shows from low to high: kept inside the whole, and not narrower than a ten-thousandth of it.
-    void show(double low, double high);
-    /// About a place; a factor above 1 shows less.
-    void zoom(double factor, double about);
-    /// By so much of what is visible.
-    void pan(double share);
-    void showAll() { show(m_wholeLow, m_wholeHigh); }
-    bool showsAll() const { return m_low <= m_wholeLow && m_high >= m_wholeHigh; }
 
     const std::shared_ptr<const SamplePlaces> &places() const { return m_places; }
     /// Where a robot is at a time, straight between its samples; of one that was not tracked the time itself,
@@ -61,7 +48,6 @@ public:
     QList<QAction *> actions() const { return m_actions; }
 
 Q_SIGNALS:
-    void spanChanged(); ///< low or high
     void axisChanged(); ///< the places
 private:
     void makeActions();
@@ -72,7 +58,6 @@ private:
     Timeline &m_timeline;
     TrialScenePtr m_scene;
     Against m_against = Against::Time;
-    double m_wholeLow = 0, m_wholeHigh = 1, m_low = 0, m_high = 1;
     std::shared_ptr<const SamplePlaces> m_places = std::make_shared<SamplePlaces>();
     QList<QAction *> m_actions;
     QAction *m_distance = nullptr;

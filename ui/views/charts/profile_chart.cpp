@@ -4,56 +4,51 @@
 #include "ui/models/figure_text.h"
 #include "ui/models/timeline.h"
 #include "ui/views/charts/chart_bubbles.h"
+#include "ui/views/charts/chart_overlay.h"
 #include "ui/views/charts/chart_picture.h"
 #include "ui/views/charts/chart_span.h"
-#include "ui/views/charts/profile_curve.h"
 #include "ui/views/charts/series_colours.h"
-#include "ui/views/widgets/labels.h"
-#include "ui/views/widgets/theme.h"
+#include "ui/views/charts/series_key.h"
+#include "ui/views/curves/profile_curve.h"
 
-#include <QApplication>
 #include <QComboBox>
-#include <QHelpEvent>
-#include <QMouseEvent>
 #include <QPainter>
 #include <QStringList>
-#include <QWheelEvent>
-#include <algorithm>
-#include <cmath>
+#include <limits>
 
 namespace odo {
 
-ChartArea::ChartArea(Timeline &timeline, ChartSpan &span, Quantity quantity, QWidget *parent)
-    : QWidget(parent), m_timeline(timeline), m_span(span), m_quantity(quantity),
-      m_bubbles(new ChartBubbles(*this)), m_maker(new CurveMaker(this))
+namespace {
+
+ChartAxes axesOf(const ChartSpan &span, Quantity quantity)
 {
-    setAttribute(Qt::WA_OpaquePaintEvent);
-    setFocusPolicy(Qt::StrongFocus);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    const bool isTime = span.against() == ChartSpan::Against::Time;
+    return {isTime ? ShownUnit{QStringLiteral("s"), 1} : shownUnits().distance, false, curveUnit(quantity)};
+}
+
+} // namespace
+
+ChartArea::ChartArea(Timeline &timeline, ChartSpan &span, Quantity quantity, QWidget *parent)
+    : ChartView(span, axesOf(span, quantity), parent), m_timeline(timeline), m_span(span),
+      m_quantity(quantity), m_bubbles(new ChartBubbles(*this)), m_maker(new CurveMaker(this))
+{
     for (const auto signal : {&Timeline::currentChanged, &Timeline::selectionChanged})
-        connect(&m_timeline, signal, this, qOverload<>(&QWidget::update));
+        connect(&m_timeline, signal, viewport(), qOverload<>(&QWidget::update));
     connect(m_maker, &CurveMaker::made, this, [this] {
-        setTicks();
+        showCurves();
         Q_EMIT settled();
     });
-    connect(&m_span, &ChartSpan::spanChanged, this, &ChartArea::forget);
     connect(&m_span, &ChartSpan::axisChanged, this, &ChartArea::rebuild);
-    setTicks();
 }
 
 ChartArea::~ChartArea() = default;
-
-void ChartArea::forget()
-{
-    m_still.forget();
-    update();
-}
 
 void ChartArea::setScene(TrialScenePtr scene)
 {
     m_scene = std::move(scene);
     m_stretches = m_scene ? doubtfulStretches(*m_scene) : std::vector<DoubtfulStretch>();
     m_fit.reset();
+    m_hidden.clear();
     rebuild();
 }
 
@@ -66,7 +61,16 @@ void ChartArea::setQuantity(Quantity quantity)
 void ChartArea::setFit(std::optional<FitOverlay> fit)
 {
     m_fit = std::move(fit);
-    update();
+    showFit();
+}
+
+void ChartArea::setRobotShown(int robot, bool isShown)
+{
+    if (isShown)
+        m_hidden.remove(robot);
+    else
+        m_hidden.insert(robot);
+    setGroupShown(robot, isShown);
 }
 
 void ChartArea::rebuild()
@@ -74,25 +78,46 @@ void ChartArea::rebuild()
     if (m_span.scene() != m_scene) // a scene comes to the span first, and to the charts one after the other
         return;
     m_maker->make(m_scene, m_quantity, m_span.places());
-    setTicks();
+    showCurves();
 }
 
-void ChartArea::setTicks()
+void ChartArea::showCurves()
 {
-    const int most = std::max(2, int(plotRect().height() / 23));
-    const ValueRange &range = m_maker->curves().range();
-    m_valueTicks = coveringTicks(range.low, range.high, most);
-    forget();
+    setAxes(axesOf(m_span, m_quantity));
+    std::vector<ChartStretch> stretches;
+    for (const DoubtfulStretch &one : m_stretches)
+        stretches.push_back({m_span.placeOf(one.robot, one.span.begin),
+                             m_span.placeOf(one.robot, one.span.end),
+                             one.kind == DoubtfulStretch::Kind::Name});
+    setContent(m_maker->curves().content(), std::move(stretches));
+    for (const int robot : std::as_const(m_hidden))
+        setGroupShown(robot, false);
+    showFit();
 }
 
-QRectF ChartArea::plotRect() const
+/// Dashed, over a rim, so that it stands out from the curve.
+void ChartArea::showFit()
 {
-    return ChartPlot::rectIn(QRectF(rect()));
-}
-
-ChartPlot ChartArea::plot() const
-{
-    return {plotRect(), m_span.low(), m_span.high(), m_valueTicks};
+    if (!m_fit || m_fit->quantity != m_quantity) {
+        setOverlay({});
+        return;
+    }
+    constexpr int pieces = 120;
+    CurveRun values;
+    for (int i = 0; i <= pieces; ++i) {
+        const Nanoseconds time = m_fit->span.begin + (m_fit->span.end - m_fit->span.begin) * i / pieces;
+        values.points.emplace_back(m_span.placeOf(m_fit->robot, time),
+                                   CurveValue{curveFactor(m_quantity) * m_fit->fit.at(toSeconds(time)), 0});
+    }
+    ChartCurve rim, line;
+    rim.runs = line.runs = {values};
+    rim.group = line.group = -1;
+    rim.ink = ChartInk::Ground;
+    rim.widthPx = 5;
+    line.ink = ChartInk::Text;
+    line.widthPx = 2;
+    line.dash = Qt::DashLine;
+    setOverlay({rim, line});
 }
 
 QPointF ChartArea::positionOf(Nanoseconds time, double value) const
@@ -100,149 +125,44 @@ QPointF ChartArea::positionOf(Nanoseconds time, double value) const
     return plot().at(m_span.cursorPlace(time), value);
 }
 
-void ChartArea::drawStill(QPainter &painter) const
+void ChartArea::paintOver(QPainter &painter)
 {
-    const bool isTime = m_span.against() == ChartSpan::Against::Time;
-    drawChartAxes(painter, plot(), isTime ? ShownUnit{QStringLiteral("s"), 1} : shownUnits().distance, font(),
-                  palette());
-    drawStretches(painter);
-    m_maker->curves().draw(painter, plot(), palette());
-}
-
-void ChartArea::drawStretches(QPainter &painter) const
-{
-    for (const DoubtfulStretch &one : m_stretches) {
-        const double from = m_span.placeOf(one.robot, one.span.begin),
-                     to = m_span.placeOf(one.robot, one.span.end);
-        if (from <= m_span.high() && to >= m_span.low())
-            drawChartDoubt(painter, plot(), from, to, one.kind == DoubtfulStretch::Kind::Name, palette());
-    }
-}
-
-void ChartArea::drawFit(QPainter &painter) const
-{
-    constexpr int pieces = 120;
-    QList<QPointF> values;
-    for (int i = 0; i <= pieces; ++i) {
-        const Nanoseconds time = m_fit->span.begin + (m_fit->span.end - m_fit->span.begin) * i / pieces;
-        values << QPointF(m_span.placeOf(m_fit->robot, time),
-                          curveFactor(m_quantity) * m_fit->fit.at(toSeconds(time)));
-    }
-    drawChartFit(painter, plot(), values, palette());
-}
-
-void ChartArea::drawCursor(QPainter &painter) const
-{
+    if (const auto &range = m_timeline.selection())
+        drawChartRange(painter, plot(), m_span.cursorPlace(range->begin), m_span.cursorPlace(range->end),
+                       palette());
     m_bubbles->clear();
     if (m_timeline.frameCount() == 0)
         return;
     const Nanoseconds now = m_timeline.currentTime();
     if (const double place = m_span.cursorPlace(now); place >= m_span.low() && place <= m_span.high())
         drawChartCursor(painter, plot(), place, palette());
-    const auto placeOf = [this, now](std::size_t robot) { return m_span.placeOf(robot, now); };
+    const auto placeOf = [this, now](std::size_t robot) {
+        return m_hidden.contains(int(robot)) ? std::numeric_limits<double>::quiet_NaN()
+                                             : m_span.placeOf(robot, now);
+    };
     for (const ShownValue &value : m_maker->curves().drawValues(painter, plot(), now, placeOf, palette()))
         m_bubbles->add(value.bubble, [scene = m_scene, quantity = m_quantity, now, value] {
             return explainCurve(*scene, value.robot, quantity, now, value.text);
         });
 }
 
-bool ChartArea::event(QEvent *event)
+QString ChartArea::wordsAt(const QPoint &place) const
 {
-    if (event->type() != QEvent::ToolTip)
-        return QWidget::event(event);
     constexpr int reachPx = 3;
-    const auto *help = static_cast<QHelpEvent *>(event);
-    const Nanoseconds time = timeAt(help->pos().x());
-    const QString words = plotRect().contains(help->pos())
-                              ? doubtfulWordsAt(m_stretches, time, timeAt(help->pos().x() + reachPx) - time)
-                              : QString();
-    showToolTip(*help, words, this);
-    return true;
+    const Nanoseconds time = m_span.timeAt(plot().xAt(place.x()));
+    return doubtfulWordsAt(m_stretches, time, m_span.timeAt(plot().xAt(place.x() + reachPx)) - time);
 }
 
-void ChartArea::paintEvent(QPaintEvent *)
+void ChartArea::goTo(double x)
 {
-    QPainter painter(this);
-    m_still.paint(painter, *this, ThemeColours::of(palette()).card,
-                  [this](QPainter &still) { drawStill(still); });
-    painter.setFont(font());
-    painter.setRenderHint(QPainter::Antialiasing);
-    if (const auto &range = m_timeline.selection())
-        drawChartRange(painter, plot(), m_span.cursorPlace(range->begin), m_span.cursorPlace(range->end),
-                       palette());
-    if (m_fit && m_fit->quantity == m_quantity)
-        drawFit(painter);
-    drawCursor(painter);
-    drawChartFocus(painter, *this);
-}
-
-void ChartArea::resizeEvent(QResizeEvent *)
-{
-    setTicks();
-}
-
-void ChartArea::changeEvent(QEvent *event)
-{
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        forget();
-    QWidget::changeEvent(event);
-}
-
-Nanoseconds ChartArea::timeAt(double x) const
-{
-    return m_span.timeAt(plot().xAt(x));
-}
-
-void ChartArea::mousePressEvent(QMouseEvent *event)
-{
-    const double x = event->position().x();
-    if (event->button() == Qt::MiddleButton)
-        m_pannedX = x;
-    if (event->button() != Qt::LeftButton)
-        return;
-    m_pressedX = x;
-    m_isDragged = false;
     m_timeline.pause();
-    m_timeline.setCurrentTime(timeAt(x));
+    m_timeline.setCurrentTime(m_span.timeAt(x));
 }
 
-void ChartArea::mouseMoveEvent(QMouseEvent *event)
+void ChartArea::dragTo(double from, double x)
 {
-    const double x = event->position().x();
-    if (event->buttons().testFlag(Qt::MiddleButton)) {
-        m_span.pan((m_pannedX - x) / std::max(1.0, plotRect().width()));
-        m_pannedX = x;
-    }
-    if (!event->buttons().testFlag(Qt::LeftButton) || !m_pressedX)
-        return;
-    m_isDragged = m_isDragged || std::abs(x - *m_pressedX) >= QApplication::startDragDistance();
-    if (!m_isDragged)
-        return;
-    m_timeline.setSelection(TimeSpan{timeAt(*m_pressedX), timeAt(x)});
-    m_timeline.setCurrentTime(timeAt(x));
-}
-
-void ChartArea::mouseReleaseEvent(QMouseEvent *)
-{
-    m_pressedX.reset();
-}
-
-void ChartArea::mouseDoubleClickEvent(QMouseEvent *event)
-{
-    if (event->button() == Qt::LeftButton)
-        m_span.showAll();
-}
-
-void ChartArea::wheelEvent(QWheelEvent *event)
-{
-    constexpr double notch = 120, zoomStep = 1.25, panStep = 0.1;
-    const QPoint turned = event->angleDelta();
-    const bool isSideways = std::abs(turned.x()) > std::abs(turned.y());
-    if (isSideways || event->modifiers().testFlag(Qt::ShiftModifier))
-        m_span.pan(-panStep * (isSideways ? turned.x() : turned.y()) / notch);
-    else
-        m_span.zoom(std::pow(zoomStep, turned.y() / notch), plot().xAt(event->position().x()));
-    event->accept();
+    m_timeline.setSelection(TimeSpan{m_span.timeAt(from), m_span.timeAt(x)});
+    m_timeline.setCurrentTime(m_span.timeAt(x));
 }
 
 namespace {
@@ -295,6 +215,7 @@ ProfileChart::ProfileChart(Timeline &timeline, ChartSpan &span, QList<Quantity> 
       m_quantities(quantities), m_quantity(quantities.first())
 {
     addToHeader(m_key);
+    connect(m_key, &SeriesKey::toggled, m_area, &ChartArea::setRobotShown);
     if (quantities.size() > 1) {
         m_choice = new QComboBox(this);
         m_choice->setAccessibleName(tr("Quantity that the chart shows"));
@@ -392,7 +313,7 @@ bool ProfileChart::isSettled() const
     return m_area->isSettled();
 }
 
-QWidget *ProfileChart::chartArea() const
+ChartArea *ProfileChart::chartArea() const
 {
     return m_area;
 }

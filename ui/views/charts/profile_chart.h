@@ -6,13 +6,12 @@
 #include "core/base/units.h"
 #include "ui/models/scene_doubts.h"
 #include "ui/models/trial_scene.h"
-#include "ui/views/charts/chart_painting.h"
-#include "ui/views/charts/chart_picture.h"
+#include "ui/views/charts/chart_view.h"
 #include "ui/views/charts/trial_curves.h"
 #include "ui/views/widgets/card.h"
 
 #include <QList>
-#include <QWidget>
+#include <QSet>
 #include <optional>
 
 class QComboBox;
@@ -32,12 +31,10 @@ struct FitOverlay
     CurveFit fit;
 };
 
-/// The plot of one quantity; inside ProfileChart. A click goes to a time, a drag selects a range; the wheel
-/// shows more or less, with Shift or the middle button what lies beside it; a double click shows all; a
-/// bubble tells how its value was computed. Stretches in which less than usual is known of a robot are
-/// shaded, with words where the mouse rests. What does not change with the time is kept as a picture, so that
-/// moving the cursor costs a copy. Raster only.
-class ChartArea : public QWidget
+/// The plot of one quantity; inside ProfileChart. A click goes to a time, a drag selects a range; a bubble
+/// tells how its value was computed. Stretches in which less than usual is known of a robot are shaded, with
+/// words where the mouse rests.
+class ChartArea : public ChartView
 {
     Q_OBJECT
 public:
@@ -55,35 +52,24 @@ public:
     bool isSettled() const { return !m_maker->isRunning(); }
     /// Something is shaded.
     bool hasDoubtfulStretches() const { return !m_stretches.empty(); }
+    /// A robot's curves come and go.
+    void setRobotShown(int robot, bool isShown);
 
-    QSize sizeHint() const override { return {640, 180}; }
     QSize minimumSizeHint() const override { return {220, 110}; }
 
 Q_SIGNALS:
     void settled();
 
 protected:
-    bool event(QEvent *event) override;
-    void paintEvent(QPaintEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
-    void changeEvent(QEvent *event) override;
-    void mousePressEvent(QMouseEvent *event) override;
-    void mouseMoveEvent(QMouseEvent *event) override;
-    void mouseReleaseEvent(QMouseEvent *event) override;
-    void mouseDoubleClickEvent(QMouseEvent *event) override;
-    void wheelEvent(QWheelEvent *event) override;
+    void paintOver(QPainter &painter) override;
+    void goTo(double x) override;
+    void dragTo(double from, double x) override;
+    QString wordsAt(const QPoint &place) const override;
 
 private:
     void rebuild();
-    void setTicks();
-    void forget();
-    QRectF plotRect() const;
-    ChartPlot plot() const;
-    void drawStill(QPainter &painter) const;
-    void drawStretches(QPainter &painter) const;
-    void drawFit(QPainter &painter) const;
-    void drawCursor(QPainter &painter) const;
-    Nanoseconds timeAt(double x) const;
+    void showCurves();
+    void showFit();
 
     Timeline &m_timeline;
     ChartSpan &m_span;
@@ -93,11 +79,7 @@ private:
     std::vector<DoubtfulStretch> m_stretches; ///< of the scene
     CurveMaker *m_maker;
     std::optional<FitOverlay> m_fit;
-    AxisTicks m_valueTicks;
-    std::optional<double> m_pressedX; ///< of the left button
-    bool m_isDragged = false;
-    double m_pannedX = 0; ///< of the middle button
-    StillLayer m_still;
+    QSet<int> m_hidden; ///< robots
 };
 
 class ChartArea;
@@ -122,7 +104,7 @@ public:
     Quantity quantity() const { return m_quantity; }
     /// Drawn where its quantity is shown; nullopt: none.
     void setFit(std::optional<FitOverlay> fit);
-    QWidget *chartArea() const;
+    ChartArea *chartArea() const;
     /// Its curves are there.
     bool isSettled() const;
 

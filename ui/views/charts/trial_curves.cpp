@@ -3,8 +3,9 @@
 
 #include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
-#include "ui/views/charts/profile_curve.h"
+#include "ui/views/charts/chart_overlay.h"
 #include "ui/views/charts/series_colours.h"
+#include "ui/views/curves/profile_curve.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QCoreApplication>
@@ -26,68 +27,60 @@ class TrialCurvesWords
 TrialCurves::TrialCurves(TrialScenePtr scene, Quantity quantity, const SamplePlaces &places)
     : m_scene(std::move(scene)), m_quantity(quantity)
 {
+    if (!m_scene)
+        return;
+    m_places = colourPlaces(*m_scene);
+    std::vector<ProfileCurves> robots;
+    std::vector<std::size_t> numbers;
+    for (std::size_t robot = 0; robot < m_scene->robots.size(); ++robot)
+        if (const auto &analysis = m_scene->robots[robot].analysis) {
+            robots.push_back(profileCurves(analysis->profile, m_quantity, places.at(robot)));
+            numbers.push_back(robot);
+        }
+    auto content = std::make_shared<ChartContent>();
+    content->emptyWords = TrialCurvesWords::tr("No curve yet: track the trial");
+    const auto add = [&](ChartCurve ProfileCurves::*part) {
+        for (std::size_t i = 0; i < robots.size(); ++i) {
+            ChartCurve &curve = robots[i].*part;
+            curve.group = int(numbers[i]);
+            curve.place = m_places[numbers[i]];
+            if (curve.kind == ChartCurve::Kind::Line)
+                curve.dash = seriesDash(int(numbers[i]));
+            content->curves.push_back(std::move(curve));
+        }
+    };
+    add(&ProfileCurves::measured);
+    add(&ProfileCurves::line);
+    add(&ProfileCurves::spikes);
+    m_lines.resize(m_scene->robots.size());
     std::vector<const CurveRun *> runs;
-    for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot) {
-        const auto &analysis = m_scene->robots[robot].analysis;
-        m_curves.push_back(analysis ? curvesOf(analysis->profile, places.at(robot)) : RobotCurves());
-    }
-    for (const RobotCurves &curves : m_curves)
-        for (const CurveRun &run : curves.runs)
+    for (const ChartCurve &curve : content->curves) {
+        if (curve.kind != ChartCurve::Kind::Line)
+            continue;
+        m_lines[static_cast<std::size_t>(curve.group)] = &curve;
+        for (const CurveRun &run : curve.runs)
             if (run.isLine())
                 runs.push_back(&run);
-    m_range = valueRange(runs, m_quantity);
-    if (m_scene)
-        m_places = colourPlaces(*m_scene);
-}
-
-TrialCurves::RobotCurves TrialCurves::curvesOf(const Profile &profile,
-                                               const std::vector<double> &places) const
-{
-    RobotCurves curves;
-    curves.runs = curveRuns(curveValues(profile, m_quantity), places);
-    curves.measured = measuredPoints(profile, m_quantity, places);
-    curves.spikes = spikePoints(profile, m_quantity, places);
-    return curves;
+    }
+    content->range = valueRange(runs, m_quantity);
+    m_content = std::move(content);
 }
 
 std::optional<CurveValue> TrialCurves::valueAt(std::size_t robot, Nanoseconds time) const
 {
-    const auto &analysis = m_scene->robots[robot].analysis;
-    if (!analysis)
+    if (!m_lines[robot])
         return std::nullopt;
-    const std::vector<Sample> &samples = analysis->profile.samples;
+    const std::vector<Sample> &samples = m_scene->robots[robot].analysis->profile.samples;
     const auto after =
         std::upper_bound(samples.begin(), samples.end(), time,
                          [](Nanoseconds wanted, const Sample &sample) { return wanted < sample.time; });
     if (after == samples.begin())
         return std::nullopt;
     const auto index = static_cast<std::size_t>(after - samples.begin()) - 1;
-    for (const CurveRun &run : m_curves[robot].runs)
+    for (const CurveRun &run : m_lines[robot]->runs)
         if (index >= run.firstSample && index - run.firstSample < run.points.size())
             return run.points[index - run.firstSample].curveValue();
     return std::nullopt;
-}
-
-void TrialCurves::draw(QPainter &painter, const ChartPlot &plot, const QPalette &palette) const
-{
-    bool isEmpty = true;
-    for (const RobotCurves &curves : m_curves)
-        drawCurvePoints(painter, plot, curves.measured, ThemeColours::of(palette).point);
-    for (std::size_t robot = 0; robot < m_curves.size(); ++robot)
-        for (const CurveRun &run : m_curves[robot].runs) {
-            if (!run.isLine())
-                continue;
-            drawCurveRun(painter, plot, run,
-                         {seriesColour(m_places[robot], palette), seriesDash(int(robot))});
-            isEmpty = false;
-        }
-    painter.setRenderHint(QPainter::Antialiasing);
-    for (const RobotCurves &curves : m_curves)
-        drawChartSpikes(painter, plot, curves.spikes, palette);
-    if (m_scene && isEmpty) {
-        painter.setPen(ThemeColours::of(palette).muted);
-        painter.drawText(plot.rect, Qt::AlignCenter, TrialCurvesWords::tr("No curve yet: track the trial"));
-    }
 }
 
 QList<ShownValue> TrialCurves::drawValues(QPainter &painter, const ChartPlot &plot, Nanoseconds time,
@@ -97,14 +90,14 @@ QList<ShownValue> TrialCurves::drawValues(QPainter &painter, const ChartPlot &pl
     QList<ShownValue> shown;
     const QString unit = curveUnit(m_quantity);
     double top = plot.rect.top();
-    for (std::size_t robot = 0; robot < m_curves.size(); ++robot) {
+    for (std::size_t robot = 0; robot < m_lines.size(); ++robot) {
         const auto value = valueAt(robot, time);
         const double place = placeOf(robot);
-        if (!value || place < plot.low || place > plot.high)
+        if (!value || !(place >= plot.low && place <= plot.high))
             continue;
         const QString figure = figureText(value->value, value->sigma, unit).text();
         const QString text =
-            m_curves.size() > 1
+            m_lines.size() > 1
                 ? joinedWords(QString::fromStdString(m_scene->robots[robot].robot.name), figure)
                 : figure;
         const QRectF bubble = drawChartBubble(painter, plot, {place, value->value}, top, text,

@@ -3,14 +3,19 @@
 
 #include "ui/models/background_task.h"
 #include "ui/models/trial_scene.h"
-#include "ui/views/charts/chart_painting.h"
 #include "ui/views/charts/chart_span.h"
-#include "ui/views/charts/profile_curve.h"
+#include "ui/views/charts/internal/chart_plot.h"
+#include "ui/views/curves/chart_content.h"
 
+#include <QList>
 #include <QObject>
+#include <QRectF>
 #include <functional>
 #include <memory>
 #include <vector>
+
+class QPainter;
+class QPalette;
 
 namespace odo {
 
@@ -23,39 +28,29 @@ struct ShownValue
 };
 
 /// The curves of one quantity of all robots of a trial, for the screen and for whatever else shows them:
-/// measured points, lines with their bands, and spikes. A value; painting on any thread.
+/// measured points, lines with their bands, and spikes; a robot is a group. A value; any thread.
 class TrialCurves
 {
 public:
     TrialCurves() = default;
     TrialCurves(TrialScenePtr scene, Quantity quantity, const SamplePlaces &places);
 
-    /// Of all curves; 0 to 1 where there is none.
-    const ValueRange &range() const { return m_range; }
+    /// What a chart shows; nullptr without a scene.
+    const ChartContentPtr &content() const { return m_content; }
     /// What was measured of a robot last at a time; nullopt: nothing, or not yet.
     std::optional<CurveValue> valueAt(std::size_t robot, Nanoseconds time) const;
-
-    /// All but the axes; a sentence where no robot was tracked. Spikes beyond the axis are shown at its end.
-    void draw(QPainter &painter, const ChartPlot &plot, const QPalette &palette) const;
-    /// Each robot's value at a time beside its place on the axis below, where that is visible; gives them,
-    /// from above.
+    /// Each robot's value at a time beside its place on the axis below, where that is visible (not a number:
+    /// nowhere); gives them, from above.
     QList<ShownValue> drawValues(QPainter &painter, const ChartPlot &plot, Nanoseconds time,
                                  const std::function<double(std::size_t robot)> &placeOf,
                                  const QPalette &palette) const;
 
 private:
-    struct RobotCurves
-    {
-        std::vector<CurveRun> runs; ///< in order
-        QList<QPointF> measured, spikes;
-    };
-    RobotCurves curvesOf(const Profile &profile, const std::vector<double> &places) const;
-
     TrialScenePtr m_scene; ///< null: nothing to show
     Quantity m_quantity = Quantity::Speed;
-    std::vector<RobotCurves> m_curves; ///< one a robot
-    std::vector<int> m_places;         ///< of the robots' colours in the palette
-    ValueRange m_range;
+    ChartContentPtr m_content;
+    std::vector<const ChartCurve *> m_lines; ///< of the content, one a robot; null: it has none
+    std::vector<int> m_places;               ///< of the robots' colours in the palette
 };
 
 /// Makes the curves of a chart: at once, or, of a trial so long that the window would have to wait, on a

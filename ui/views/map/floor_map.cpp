@@ -5,7 +5,7 @@
 #include "ui/models/figure_text.h"
 #include "ui/models/scene_doubts.h"
 #include "ui/models/timeline.h"
-#include "ui/views/charts/chart_painting.h"
+#include "ui/views/charts/chart_overlay.h"
 #include "ui/views/charts/chart_picture.h"
 #include "ui/views/map/floor_picture.h"
 #include "ui/views/map/map_canvas.h"

@@ -2,7 +2,7 @@
 #include "ui/views/map/map_painting.h"
 
 #include "ui/models/figure_text.h"
-#include "ui/views/charts/chart_painting.h"
+#include "ui/views/charts/axis_ticks.h"
 #include "ui/views/charts/series_colours.h"
 #include "ui/views/widgets/theme.h"
 

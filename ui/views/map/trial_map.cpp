@@ -5,7 +5,7 @@
 #include "ui/models/scene_doubts.h"
 #include "ui/models/trial_scene.h"
 #include "ui/views/charts/series_colours.h"
-#include "ui/views/charts/simplified_line.h"
+#include "ui/views/curves/simplified_line.h"
 #include "ui/views/map/floor_picture.h"
 #include "ui/views/map/map_painting.h"
 #include "ui/views/widgets/theme.h"

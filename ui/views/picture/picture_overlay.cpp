@@ -4,9 +4,9 @@
 #include "core/geometry/silhouette.h"
 #include "ui/models/core_words.h"
 #include "ui/models/trial_scene.h"
-#include "ui/views/charts/chart_painting.h"
+#include "ui/views/charts/axis_ticks.h"
 #include "ui/views/charts/series_colours.h"
-#include "ui/views/charts/simplified_line.h"
+#include "ui/views/curves/simplified_line.h"
 #include "ui/views/picture/picture_painting.h"
 #include "ui/views/widgets/theme.h"
 

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QList>
 #include <QPointF>
 #include <QPolygonF>
 
 namespace odo {
-
-/// What a curve looks like between left and right in so many pixel columns: of each column the first, lowest,
-/// highest and last point, in order, and the next point beyond either end. Points must be sorted by x. Where
-/// there are up to four points a column, they come back as they are; no extreme is lost.
-QList<QPointF> decimated(const QList<QPointF> &points, double left, double right, int columns);
 
 /// Makes a line through fewer of its points, from its first to its last: none of those left out is farther
 /// from it than the tolerance across, and as much along it. For painting: strokes cost by the point, and

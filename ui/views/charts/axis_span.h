@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+namespace odo {
+
+/// What of an axis charts show: from where to where, within a whole. One for all charts that stand below one
+/// another. GUI thread.
+class AxisSpan : public QObject
+{
+    Q_OBJECT
+public:
+    using QObject::QObject;
+
+    double low() const { return m_low; }
+    double high() const { return m_high; }
+    double wholeLow() const { return m_wholeLow; }
+    double wholeHigh() const { return m_wholeHigh; }
+    /// A new whole (at least 1 wide where high is not above low), all of it shown, without a signal.
+    void setWhole(double low, double high);
+    /// Shows from low to high: kept inside the whole, and not narrower than a ten-thousandth of it.
+    void show(double low, double high);
+    /// About a place; a factor above 1 shows less.
+    void zoom(double factor, double about);
+    /// By so much of what is visible.
+    void pan(double share);
+    void showAll() { show(m_wholeLow, m_wholeHigh); }
+    bool showsAll() const { return m_low <= m_wholeLow && m_high >= m_wholeHigh; }
+
+Q_SIGNALS:
+    void spanChanged(); ///< low or high
+
+private:
+    double m_wholeLow = 0, m_wholeHigh = 1, m_low = 0, m_high = 1;
+};
+
+} // namespace odo

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/charts/chart_overlay.h"
+
+#include "ui/views/charts/chart_picture.h"
+#include "ui/views/widgets/theme.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QWidget>
+#include <algorithm>
+
+namespace odo {
+
+void drawChartCursor(QPainter &painter, const ChartPlot &plot, double x, const QPalette &palette)
+{
+    const double screenX = plot.at(x, 0).x();
+    painter.setPen(QPen(ThemeColours::of(palette).text, 1.4, Qt::DotLine));
+    painter.drawLine(QPointF(screenX, plot.rect.top()), QPointF(screenX, plot.rect.bottom()));
+}
+
+void drawChartRange(QPainter &painter, const ChartPlot &plot, double from, double to, const QPalette &palette)
+{
+    const double left = plot.at(from, 0).x(), right = plot.at(to, 0).x();
+    const QColor accent = ThemeColours::of(palette).accent;
+    QColor haze = accent;
+    haze.setAlpha(34);
+    painter.fillRect(
+        QRectF(QPointF(left, plot.rect.top()), QPointF(right, plot.rect.bottom())).intersected(plot.rect),
+        haze);
+    painter.setPen(QPen(accent, 1));
+    for (const double x : {left, right})
+        if (x >= plot.rect.left() && x <= plot.rect.right())
+            painter.drawLine(QPointF(x, plot.rect.top()), QPointF(x, plot.rect.bottom()));
+}
+
+void drawChartFocus(QPainter &painter, const QWidget &plot)
+{
+    if (!plot.hasFocus() || ChartPicture::isPaintedBy(painter, plot))
+        return;
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(ThemeColours::of(plot.palette()).accent, 1));
+    painter.drawRect(plot.rect().adjusted(0, 0, -1, -1));
+}
+
+QRectF drawChartBubble(QPainter &painter, const ChartPlot &plot, const QPointF &value, double top,
+                       const QString &fullText, const QColor &colour, const QPalette &palette)
+{
+    const ThemeColours colours = ThemeColours::of(palette);
+    const QFontMetricsF metrics(painter.font());
+    // The value stands at its end; a long name before it gives way.
+    const QString text = metrics.elidedText(fullText, Qt::ElideLeft, plot.rect.width() / 2);
+    const QPointF at = plot.at(value.x(), value.y());
+    const double height = metrics.height() + 6, width = metrics.horizontalAdvance(text) + 14;
+    const bool fits = at.x() + 6 + width <= plot.rect.right();
+    const QRectF bubble(fits ? at.x() + 6 : at.x() - 6 - width, top, width, height);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colours.bubble);
+    painter.drawRoundedRect(bubble, 3, 3);
+    painter.setPen(colours.bubbleText);
+    painter.drawText(bubble, Qt::AlignCenter, text);
+    painter.setPen(QPen(colours.card, 1.5));
+    painter.setBrush(colour);
+    painter.drawEllipse(at, 4, 4);
+    return bubble;
+}
+
+void drawCrosshair(QPainter &painter, const ChartPlot &plot, const QPointF &place, const QString &below,
+                   const QString &left, const QPalette &palette)
+{
+    const ThemeColours colours = ThemeColours::of(palette);
+    const QFontMetricsF metrics(painter.font());
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setPen(QPen(colours.muted, 1));
+    painter.drawLine(QPointF(place.x(), plot.rect.top()), QPointF(place.x(), plot.rect.bottom()));
+    painter.drawLine(QPointF(plot.rect.left(), place.y()), QPointF(plot.rect.right(), place.y()));
+    painter.setRenderHint(QPainter::Antialiasing);
+    const auto box = [&](const QRectF &rect, const QString &text) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(colours.bubble);
+        painter.drawRoundedRect(rect, 3, 3);
+        painter.setPen(colours.bubbleText);
+        painter.drawText(rect, Qt::AlignCenter, text);
+    };
+    const double height = metrics.height() + 4;
+    const double belowWidth = metrics.horizontalAdvance(below) + 12,
+                 leftWidth = metrics.horizontalAdvance(left) + 10;
+    box({place.x() - belowWidth / 2, plot.rect.bottom() + 3, belowWidth, height}, below);
+    box({plot.rect.left() - 3 - leftWidth, place.y() - height / 2, leftWidth, height}, left);
+}
+
+} // namespace odo

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/charts/chart_view.h"
+
+#include "ui/models/figure_text.h"
+#include "ui/views/charts/axis_span.h"
+#include "ui/views/charts/chart_overlay.h"
+#include "ui/views/charts/internal/chart_gestures.h"
+#include "ui/views/widgets/labels.h"
+#include "ui/views/widgets/theme.h"
+
+#include <QApplication>
+#include <QDateTime>
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QScrollBar>
+#include <algorithm>
+#include <cmath>
+
+namespace odo {
+
+ChartView::ChartView(AxisSpan &span, const ChartAxes &axes, QWidget *parent)
+    : QChartView(new Chart(axes), parent), m_span(span), m_chart(static_cast<Chart *>(chart()))
+{
+    setFrameShape(NoFrame);
+    setInteractive(false);
+    viewport()->setFocusPolicy(Qt::NoFocus); // it would be a second stop of the Tab key
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(0, 0);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    viewport()->setMouseTracking(true);
+    viewport()->setAttribute(Qt::WA_OpaquePaintEvent);
+    new ChartGestures(*this);
+    m_chart->setLook(palette(), font());
+    connect(&m_span, &AxisSpan::spanChanged, this, &ChartView::refresh);
+    refresh();
+}
+
+ChartView::~ChartView() = default;
+
+void ChartView::forget()
+{
+    m_still.forget();
+    viewport()->update();
+}
+
+void ChartView::refresh()
+{
+    const ValueRange whole = m_content ? m_content->range : ValueRange();
+    m_chart->show(m_span.low(), m_span.high(), m_values.value_or(whole), m_values.has_value());
+    forget();
+}
+
+void ChartView::setAxes(const ChartAxes &axes)
+{
+    m_chart->setAxes(axes);
+    m_values.reset();
+    refresh();
+}
+
+void ChartView::setContent(ChartContentPtr content, std::vector<ChartStretch> stretches)
+{
+    m_content = std::move(content);
+    m_values.reset();
+    m_chart->setContent(m_content, std::move(stretches));
+    refresh();
+}
+
+void ChartView::setOverlay(std::vector<ChartCurve> curves)
+{
+    m_chart->setOverlay(std::move(curves));
+    forget();
+}
+
+void ChartView::showValues(std::optional<ValueRange> values)
+{
+    if (values && !(values->high > values->low))
+        return;
+    m_values = values;
+    refresh();
+}
+
+void ChartView::showAll()
+{
+    m_values.reset();
+    m_span.showAll();
+    refresh();
+}
+
+void ChartView::setGroupShown(int group, bool isShown)
+{
+    m_chart->setGroupShown(group, isShown);
+    forget();
+}
+
+void ChartView::paintStill(QPainter &painter)
+{
+    m_chart->prepare();
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing, !m_chart->isCoarse());
+    scene()->render(&painter, QRectF(viewport()->rect()), QRectF(viewport()->rect()), Qt::IgnoreAspectRatio);
+    painter.restore();
+}
+
+void ChartView::paintPicture(QPainter &painter)
+{
+    painter.fillRect(viewport()->rect(), ThemeColours::of(palette()).card);
+    paintStill(painter);
+    painter.setFont(font());
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintOver(painter);
+}
+
+void ChartView::paintCrosshair(QPainter &painter) const
+{
+    const ChartPlot plot = this->plot();
+    const ChartAxes &axes = m_chart->axesShown();
+    const double x = plot.xAt(m_mouse->x()), value = plot.valueAt(m_mouse->y());
+    // As many digits as a pixel is worth.
+    const auto digits = [](double perPixel) {
+        return std::clamp(-int(std::floor(std::log10(std::max(1e-9, perPixel)))), 0, 6);
+    };
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    const double perSi = axes.below.perSi;
+    const QString below =
+        axes.isDate
+            ? locale.toString(QDateTime::fromMSecsSinceEpoch(qint64(x)).date(), QLocale::ShortFormat)
+            : locale.toString(perSi * x, 'f', digits(perSi * (plot.high - plot.low) / plot.rect.width())) +
+                  u' ' + axes.below.name;
+    drawCrosshair(
+        painter, plot, *m_mouse, below,
+        locale.toString(value, 'f', digits((plot.values.high - plot.values.low) / plot.rect.height())),
+        palette());
+}
+
+void ChartView::paintEvent(QPaintEvent *)
+{
+    QPainter painter(viewport());
+    m_still.paint(painter, *viewport(), ThemeColours::of(palette()).card,
+                  [this](QPainter &still) { paintStill(still); });
+    painter.setFont(font());
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (m_mouse && m_content)
+        paintCrosshair(painter);
+    paintOver(painter);
+    drawChartFocus(painter, *this);
+}
+
+void ChartView::resizeEvent(QResizeEvent *event)
+{
+    QChartView::resizeEvent(event);
+    setMinimumSize(0, 0);
+    m_chart->setSize(viewport()->size());
+    refresh();
+}
+
+void ChartView::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
+        m_chart->setLook(palette(), font());
+        refresh();
+    }
+    QChartView::changeEvent(event);
+}
+
+bool ChartView::viewportEvent(QEvent *event)
+{
+    switch (event->type()) {
+    case QEvent::ToolTip: {
+        const auto *help = static_cast<QHelpEvent *>(event);
+        showToolTip(*help, plot().rect.contains(help->pos()) ? wordsAt(help->pos()) : QString(), this);
+        return true;
+    }
+    case QEvent::Leave:
+        m_mouse.reset();
+        viewport()->update();
+        break;
+    default:
+        break;
+    }
+    return QChartView::viewportEvent(event);
+}
+
+QString ChartView::wordsAt(const QPoint &) const
+{
+    return {};
+}
+
+void ChartView::mousePressEvent(QMouseEvent *event)
+{
+    if (event->button() != Qt::LeftButton)
+        return;
+    m_pressedX = event->position().x();
+    m_isDragged = false;
+    goTo(plot().xAt(*m_pressedX));
+}
+
+void ChartView::mouseMoveEvent(QMouseEvent *event)
+{
+    const double x = event->position().x();
+    m_mouse.reset();
+    if (event->buttons() == Qt::NoButton && plot().rect.contains(event->position()))
+        m_mouse = event->position();
+    viewport()->update();
+    if (!event->buttons().testFlag(Qt::LeftButton) || !m_pressedX)
+        return;
+    m_isDragged = m_isDragged || std::abs(x - *m_pressedX) >= QApplication::startDragDistance();
+    if (m_isDragged)
+        dragTo(plot().xAt(*m_pressedX), plot().xAt(x));
+}
+
+void ChartView::mouseReleaseEvent(QMouseEvent *)
+{
+    m_pressedX.reset();
+}
+
+void ChartView::keyPressEvent(QKeyEvent *event)
+{
+    event->ignore(); // nothing is scrolled here: the keys belong to the page
+}
+
+void ChartView::focusInEvent(QFocusEvent *event)
+{
+    QChartView::focusInEvent(event);
+    viewport()->update();
+}
+
+void ChartView::focusOutEvent(QFocusEvent *event)
+{
+    QChartView::focusOutEvent(event);
+    viewport()->update();
+}
+
+} // namespace odo

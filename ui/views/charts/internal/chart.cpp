@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/charts/internal/chart.h"
+
+#include "ui/views/widgets/theme.h"
+
+#include <QAreaSeries>
+#include <QDateTime>
+#include <QDateTimeAxis>
+#include <QFontMetricsF>
+#include <QGraphicsLayout>
+#include <QGraphicsSimpleTextItem>
+#include <QLegend>
+#include <QLineSeries>
+#include <QLocale>
+#include <QValueAxis>
+#include <algorithm>
+#include <utility>
+
+namespace odo {
+
+namespace {
+
+constexpr double leftMargin = 48, titleWidth = 16, rightMargin = 22, dateMargin = 44, topMargin = 10,
+                 bottomMargin = 28;
+constexpr double tickApartPx = 23, leastStretchPx = 2;
+constexpr qsizetype mostSmooth = 4500; // points: two charts of them take less than a frame
+
+void setTicks(QValueAxis &axis, double low, double high, const AxisTicks &ticks, const QString &unit)
+{
+    // The axis makes its marks anew at each step: never the marks of one range in another.
+    constexpr double noMarks = 1e30;
+    axis.setTickType(QValueAxis::TicksDynamic);
+    axis.setTickAnchor(0);
+    axis.setTickInterval(noMarks);
+    axis.setLabelFormat(QStringLiteral("%.%1f").arg(ticks.decimals) +
+                        (unit.isEmpty() ? QString() : u' ' + unit));
+    axis.setRange(low, high);
+    axis.setTickInterval(ticks.step);
+}
+
+} // namespace
+
+Chart::Chart(const ChartAxes &axes) : m_axes(axes), m_words(new QGraphicsSimpleTextItem(this))
+{
+    setMinimumSize(1, 1);
+    legend()->hide();
+    setBackgroundVisible(false);
+    setBackgroundRoundness(0);
+    setDropShadowEnabled(false);
+    setMargins(QMargins(0, 0, 0, 0));
+    layout()->setContentsMargins(0, 0, 0, 0);
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    setLocale(locale);
+    setLocalizeNumbers(true);
+    m_words->setZValue(100);
+    makeAxes();
+    remake();
+}
+
+Chart::~Chart() = default;
+
+void Chart::makeAxes()
+{
+    for (QAbstractAxis *axis : std::initializer_list<QAbstractAxis *>{m_below, m_left})
+        if (axis) {
+            removeAxis(axis);
+            delete axis;
+        }
+    if (m_axes.isDate) {
+        auto *date = new QDateTimeAxis;
+        date->setFormat(QLocale().dateFormat(QLocale::ShortFormat));
+        m_below = date;
+    } else {
+        m_below = new QValueAxis;
+    }
+    m_left = new QValueAxis;
+    addAxis(m_below, Qt::AlignBottom);
+    addAxis(m_left, Qt::AlignLeft);
+    m_below->setGridLineVisible(false);
+    m_below->setLineVisible(false);
+    m_left->setLineVisible(false);
+    m_below->setTruncateLabels(false);
+    m_left->setTruncateLabels(false);
+    m_left->setTitleText(m_axes.left);
+}
+
+void Chart::setAxes(const ChartAxes &axes)
+{
+    if (axes.isDate == m_axes.isDate && axes.left == m_axes.left && axes.below.name == m_axes.below.name &&
+        axes.below.perSi == m_axes.below.perSi)
+        return;
+    m_axes = axes;
+    makeAxes();
+    remake();
+    setSize(size());
+}
+
+void Chart::setContent(ChartContentPtr content, std::vector<ChartStretch> stretches)
+{
+    m_content = std::move(content);
+    m_stretches = std::move(stretches);
+    m_hidden.clear();
+    remake();
+}
+
+void Chart::setOverlay(std::vector<ChartCurve> curves)
+{
+    if (curves.empty() && m_overlay.empty())
+        return;
+    m_overlay = std::move(curves);
+    remake();
+}
+
+/// All series anew, in the order in which they lie upon one another.
+void Chart::remake()
+{
+    m_series.clear();
+    removeAllSeries();
+    m_shade = newArea(*this);
+    m_hatch = newArea(*this);
+    for (QAreaSeries *area : {m_shade, m_hatch}) {
+        area->attachAxis(m_below);
+        area->attachAxis(m_left);
+    }
+    const auto add = [this](const std::vector<ChartCurve> &curves) {
+        for (const ChartCurve &curve : curves) {
+            m_series.push_back(std::make_unique<ChartSeries>(*this, curve));
+            m_series.back()->attach(m_below, m_left);
+            m_series.back()->setShown(!m_hidden.contains(curve.group));
+        }
+    };
+    if (m_content)
+        add(m_content->curves);
+    add(m_overlay);
+    lookAgain();
+    invalidate();
+}
+
+void Chart::setLook(const QPalette &palette, const QFont &font)
+{
+    m_palette = palette;
+    m_font = font;
+    lookAgain();
+    invalidate();
+}
+
+void Chart::lookAgain()
+{
+    const ThemeColours colours = ThemeColours::of(m_palette);
+    for (QAbstractAxis *axis : std::initializer_list<QAbstractAxis *>{m_below, m_left}) {
+        axis->setLabelsFont(m_font);
+        axis->setLabelsBrush(colours.muted);
+        axis->setTitleFont(m_font);
+        axis->setTitleBrush(colours.muted);
+        axis->setGridLinePen(QPen(colours.grid, 1));
+        axis->setLinePen(QPen(colours.grid, 1));
+    }
+    QColor shade = colours.muted, hatch = colours.spike;
+    shade.setAlpha(48);
+    hatch.setAlpha(90);
+    m_shade->setBrush(shade);
+    m_hatch->setBrush(QBrush(hatch, Qt::BDiagPattern));
+    for (const auto &series : m_series)
+        series->setPalette(m_palette);
+    m_words->setFont(m_font);
+    m_words->setBrush(colours.muted);
+}
+
+void Chart::setGroupShown(int group, bool isShown)
+{
+    if (isShown)
+        m_hidden.remove(group);
+    else
+        m_hidden.insert(group);
+    for (const auto &series : m_series)
+        series->setShown(!m_hidden.contains(series->curve().group));
+    invalidate();
+}
+
+void Chart::setFineness(double fineness)
+{
+    m_fineness = fineness;
+}
+
+void Chart::setSize(const QSizeF &size)
+{
+    resize(size);
+    const double left = leftMargin + (m_axes.left.isEmpty() ? 0 : titleWidth),
+                 right = m_axes.isDate ? dateMargin : rightMargin;
+    setPlotArea(QRectF(left, topMargin, std::max(1.0, size.width() - left - right),
+                       std::max(1.0, size.height() - topMargin - bottomMargin)));
+    invalidate();
+}
+
+void Chart::show(double low, double high, const ValueRange &values, bool isChosen)
+{
+    m_low = low;
+    m_high = high;
+    m_wanted = values;
+    m_isChosen = isChosen;
+    invalidate();
+}
+
+ChartPlot Chart::chartPlot() const
+{
+    return {plotArea(), m_low, m_high, m_values};
+}
+
+bool Chart::hasCurves() const
+{
+    return m_content && std::ranges::any_of(m_content->curves, [](const ChartCurve &curve) {
+               return curve.kind == ChartCurve::Kind::Line;
+           });
+}
+
+void Chart::setAxisRanges()
+{
+    setTicks(*m_left, m_values.low, m_values.high, m_ticks, {});
+    const QFontMetricsF metrics(m_font);
+    const double perSi = m_axes.below.perSi;
+    if (auto *date = qobject_cast<QDateTimeAxis *>(m_below)) {
+        date->setRange(QDateTime::fromMSecsSinceEpoch(qint64(m_low)),
+                       QDateTime::fromMSecsSinceEpoch(qint64(m_high)));
+        const double width =
+            1.6 * metrics.horizontalAdvance(QLocale().toString(QDate(2000, 12, 28), QLocale::ShortFormat));
+        constexpr double dayMs = 86400e3;
+        date->setTickCount(
+            std::clamp(int(std::min(plotArea().width() / width, (m_high - m_low) / dayMs)) + 1, 2, 8));
+        return;
+    }
+    auto *axis = static_cast<QValueAxis *>(m_below);
+    const double labelWidth = metrics.horizontalAdvance(QStringLiteral("0000 ") + m_axes.below.name);
+    const AxisTicks below =
+        niceTicks(perSi * m_low, perSi * m_high, std::max(2, int(plotArea().width() / (1.6 * labelWidth))));
+    setTicks(*axis, perSi * m_low, perSi * m_high, below, m_axes.below.name);
+}
+
+void Chart::showStretches()
+{
+    const ChartPlot plot = chartPlot();
+    for (QAreaSeries *area : {m_shade, m_hatch}) {
+        QList<QPointF> upper, lower;
+        for (const ChartStretch &stretch : m_stretches) {
+            if (stretch.isHatched != (area == m_hatch) || stretch.from > m_high || stretch.to < m_low)
+                continue;
+            const double least = leastStretchPx * (m_high - m_low) / std::max(1.0, plot.rect.width());
+            const double from = m_axes.below.perSi * stretch.from,
+                         to = m_axes.below.perSi * std::max(stretch.to, stretch.from + least);
+            for (const double x : {from, from, to, to})
+                lower.append({x, m_values.low});
+            upper << QPointF(from, m_values.low) << QPointF(from, m_values.high) << QPointF(to, m_values.high)
+                  << QPointF(to, m_values.low);
+        }
+        setEdges(*area, upper, lower);
+    }
+}
+
+void Chart::invalidate()
+{
+    const int most = std::max(2, int(plotArea().height() / tickApartPx));
+    m_ticks = m_isChosen ? niceTicks(m_wanted.low, m_wanted.high, most)
+                         : coveringTicks(m_wanted.low, m_wanted.high, most);
+    m_values = m_isChosen ? m_wanted : ValueRange{m_ticks.first, m_ticks.last()};
+    m_isStale = true;
+}
+
+void Chart::prepare()
+{
+    if (!std::exchange(m_isStale, false))
+        return;
+    // Emptied first: series that are full would be laid out once more for each axis that changes.
+    for (const auto &series : m_series)
+        series->clear();
+    for (QAreaSeries *area : {m_shade, m_hatch})
+        setEdges(*area, {}, {});
+    setAxisRanges();
+    showStretches();
+    const ChartColumns columns{chartPlot(), m_axes.below.perSi, m_fineness};
+    qsizetype strokes = 0;
+    for (const auto &series : m_series)
+        strokes += series->show(columns);
+    m_isCoarse = m_fineness <= 1 && strokes > mostSmooth;
+    for (const auto &series : m_series)
+        series->setCoarse(m_isCoarse);
+    m_words->setText(m_content && !hasCurves() ? m_content->emptyWords : QString());
+    m_words->setPos(plotArea().center() - m_words->boundingRect().center());
+    layout()->activate();
+}
+
+} // namespace odo

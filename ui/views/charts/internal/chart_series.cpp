@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/charts/internal/chart_series.h"
+
+#include "ui/views/widgets/theme.h"
+
+#include <QAreaSeries>
+#include <QChart>
+#include <QLineSeries>
+#include <QScatterSeries>
+#include <algorithm>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+constexpr int bandAlpha = 60;
+constexpr double spikePx = 12; // of a triangle
+
+/// Dots are not cut off at the edge of the plot, as lines are: those beyond it must be left out.
+bool holds(const ValueRange &values, double value)
+{
+    return value >= values.low && value <= values.high;
+}
+
+/// The outline of an area that may have gaps: across a gap it has no height, so that nothing is filled.
+class AreaOutline
+{
+public:
+    void add(double x, double low, double high)
+    {
+        m_upper.append({x, high});
+        m_lower.append({x, low});
+    }
+    /// Closes what was added before and opens the next piece at x.
+    void leap(double x, double low, double high)
+    {
+        if (!m_upper.isEmpty()) {
+            const double last = m_upper.last().x(), middle = (m_upper.last().y() + m_lower.last().y()) / 2;
+            add(last, middle, middle);
+            add(x, (low + high) / 2, (low + high) / 2);
+        }
+        add(x, low, high);
+    }
+    void setTo(QAreaSeries &area) const { setEdges(area, m_upper, m_lower); }
+
+private:
+    QList<QPointF> m_upper, m_lower;
+};
+
+/// Columns as an outline, none of them lower than least (in the values' unit). A column that is not joined to
+/// the one before it is as wide as a column is.
+class ColumnOutline
+{
+public:
+    ColumnOutline(const ChartColumns &columns, double leastPx)
+        : m_low(columns.plot.low * columns.perSi),
+          m_step((columns.plot.high - columns.plot.low) * columns.perSi / columns.count()),
+          m_least(leastPx * (columns.plot.values.high - columns.plot.values.low) /
+                  std::max(1.0, columns.plot.rect.height()))
+    {
+    }
+    void add(int index, bool isJoined, double low, double high)
+    {
+        if (high - low < m_least) {
+            const double middle = (low + high) / 2;
+            low = middle - m_least / 2;
+            high = middle + m_least / 2;
+        }
+        const double left = m_low + index * m_step;
+        if (!isJoined || m_isFirst) {
+            close();
+            m_outline.leap(left, low, high);
+        }
+        m_outline.add(left + m_step / 2, low, high);
+        m_isFirst = false;
+        m_right = left + m_step;
+        m_lastLow = low;
+        m_lastHigh = high;
+    }
+    void setTo(QAreaSeries &area)
+    {
+        close();
+        m_outline.setTo(area);
+    }
+
+private:
+    void close()
+    {
+        if (!m_isFirst)
+            m_outline.add(m_right, m_lastLow, m_lastHigh);
+    }
+    AreaOutline m_outline;
+    double m_low, m_step, m_least;
+    bool m_isFirst = true;
+    double m_right = 0, m_lastLow = 0, m_lastHigh = 0;
+};
+
+} // namespace
+
+int ChartColumns::count() const
+{
+    return std::max(1, int(std::ceil(plot.rect.width() * fineness)));
+}
+
+QColor inkColour(ChartInk ink, int place, const QPalette &palette)
+{
+    const ThemeColours colours = ThemeColours::of(palette);
+    switch (ink) {
+    case ChartInk::Muted:
+        return colours.muted;
+    case ChartInk::Point:
+        return colours.point;
+    case ChartInk::Text:
+        return colours.text;
+    case ChartInk::Accent:
+        return colours.accent;
+    case ChartInk::Spike:
+        return colours.spike;
+    case ChartInk::Ground:
+        return colours.card;
+    case ChartInk::Series:
+        break;
+    }
+    return seriesColour(place, palette);
+}
+
+QAreaSeries *newArea(QChart &chart)
+{
+    auto *area = new QAreaSeries;
+    area->setUpperSeries(new QLineSeries(area));
+    area->setLowerSeries(new QLineSeries(area));
+    chart.addSeries(area);
+    area->setPen(Qt::NoPen);
+    return area;
+}
+
+void setEdges(QAreaSeries &area, const QList<QPointF> &upper, const QList<QPointF> &lower)
+{
+    area.upperSeries()->replace(upper);
+    area.lowerSeries()->replace(lower);
+}
+
+ChartSeries::ChartSeries(QChart &chart, const ChartCurve &curve) : m_chart(chart), m_curve(&curve)
+{
+    if (curve.kind == ChartCurve::Kind::Spikes) {
+        m_spikes = new QScatterSeries;
+        m_spikes->setMarkerShape(QScatterSeries::MarkerShapeTriangle);
+        m_spikes->setMarkerSize(spikePx);
+        m_chart.addSeries(m_spikes);
+        return;
+    }
+    if (curve.hasBand)
+        m_band = newArea(chart);
+    line(0);
+}
+
+QAbstractSeries *ChartSeries::anySeries() const
+{
+    return m_spikes ? static_cast<QAbstractSeries *>(m_spikes) : m_lines.first();
+}
+
+QList<QAbstractSeries *> ChartSeries::all() const
+{
+    QList<QAbstractSeries *> series;
+    for (QAbstractSeries *one : std::initializer_list<QAbstractSeries *>{m_band, m_spikes})
+        if (one)
+            series << one;
+    for (QLineSeries *one : m_lines)
+        series << one;
+    return series;
+}
+
+QLineSeries *ChartSeries::line(qsizetype index)
+{
+    while (m_lines.size() <= index) {
+        auto *added = new QLineSeries;
+        m_chart.addSeries(added);
+        if (m_below) {
+            added->attachAxis(m_below);
+            added->attachAxis(m_left);
+        }
+        added->setVisible(m_isShown);
+        m_lines << added;
+        setPens();
+    }
+    return m_lines[index];
+}
+
+void ChartSeries::attach(QAbstractAxis *below, QAbstractAxis *left)
+{
+    m_below = below;
+    m_left = left;
+    for (QAbstractSeries *series : all()) {
+        series->attachAxis(below);
+        series->attachAxis(left);
+    }
+}
+
+void ChartSeries::clear()
+{
+    if (m_band)
+        setEdges(*m_band, {}, {});
+    for (QLineSeries *series : m_lines)
+        series->replace(QList<QPointF>());
+    if (m_spikes)
+        m_spikes->replace(QList<QPointF>());
+}
+
+qsizetype ChartSeries::show(const ChartColumns &columns)
+{
+    if (!m_isShown)
+        return 0;
+    if (m_spikes)
+        return showSpikes(columns);
+    const std::size_t count = visibleCount(m_curve->runs, columns.plot.low, columns.plot.high);
+    if (count > static_cast<std::size_t>(columns.count()))
+        return showDense(columns);
+    return m_curve->kind == ChartCurve::Kind::Points ? showPoints(columns) : showLine(columns);
+}
+
+void ChartSeries::setCoarse(bool isCoarse)
+{
+    m_isCoarse = isCoarse;
+    setPens();
+}
+
+/// From the lowest to the highest value of each column and on to the next: what the eye would see of a line
+/// through all points, at two points a column, or one where they are within a pixel.
+qsizetype ChartSeries::showDense(const ChartColumns &columns)
+{
+    constexpr double alikePx = 0.7;
+    const ChartPlot &plot = columns.plot;
+    const double step = (plot.high - plot.low) / columns.count(),
+                 alike = alikePx * (plot.values.high - plot.values.low) / std::max(1.0, plot.rect.height());
+    const bool arePoints = m_curve->kind == ChartCurve::Kind::Points;
+    QList<QPointF> points;
+    qsizetype used = 0, strokes = 0;
+    const auto finish = [&] {
+        strokes += points.size();
+        if (!points.isEmpty())
+            line(used++)->replace(std::exchange(points, {}));
+    };
+    for (const CurveColumn &column : curveColumns(m_curve->runs, plot.low, plot.high, columns.count(),
+                                                  arePoints ? ColumnReach::Points : ColumnReach::Line)) {
+        if (!arePoints && !column.isJoined)
+            finish();
+        const double x = (plot.low + (column.index + 0.5) * step) * columns.perSi,
+                     middle = (column.low + column.high) / 2;
+        if (column.high - column.low < alike) {
+            points.append({x, middle});
+            continue;
+        }
+        const bool isRising = points.isEmpty() || points.last().y() <= middle;
+        points.append({x, isRising ? column.low : column.high});
+        points.append({x, isRising ? column.high : column.low});
+    }
+    if (arePoints)
+        points.removeIf([&plot](const QPointF &point) { return !holds(plot.values, point.y()); });
+    finish();
+    if (m_band)
+        showDenseBand(columns);
+    return strokes;
+}
+
+void ChartSeries::showDenseBand(const ChartColumns &columns)
+{
+    // Wider columns: an area with thousands of corners takes long to fill, and a haze hides its corners.
+    constexpr int widthPx = 4;
+    ChartColumns wide = columns;
+    wide.fineness = columns.fineness / widthPx;
+    ColumnOutline band(wide, 1);
+    for (const CurveColumn &column : curveColumns(m_curve->runs, wide.plot.low, wide.plot.high, wide.count()))
+        band.add(column.index, column.isJoined, column.bandLow, column.bandHigh);
+    band.setTo(*m_band);
+}
+
+qsizetype ChartSeries::showLine(const ChartColumns &columns)
+{
+    AreaOutline band;
+    qsizetype used = 0, strokes = 0;
+    for (const CurveRun &run : m_curve->runs) {
+        const auto visible = visiblePoints(run.points, columns.plot.low, columns.plot.high);
+        if (visible.size() < 2)
+            continue;
+        QList<QPointF> points;
+        points.reserve(static_cast<qsizetype>(visible.size()));
+        for (const BandPoint &point : visible) {
+            const double x = point.x * columns.perSi;
+            if (m_band && points.isEmpty())
+                band.leap(x, point.low(), point.high());
+            else if (m_band)
+                band.add(x, point.low(), point.high());
+            points.append({x, double(point.value)});
+        }
+        strokes += points.size();
+        line(used++)->replace(points);
+    }
+    if (m_band)
+        band.setTo(*m_band);
+    return strokes;
+}
+
+qsizetype ChartSeries::showPoints(const ChartColumns &columns)
+{
+    QList<QPointF> points;
+    for (const CurveRun &run : m_curve->runs)
+        for (const BandPoint &point : visiblePoints(run.points, columns.plot.low, columns.plot.high))
+            if (point.x >= columns.plot.low && point.x <= columns.plot.high &&
+                holds(columns.plot.values, point.value))
+                points.append({point.x * columns.perSi, double(point.value)});
+    m_lines.first()->replace(points);
+    return points.size();
+}
+
+qsizetype ChartSeries::showSpikes(const ChartColumns &columns)
+{
+    const ChartPlot &plot = columns.plot;
+    QList<QPointF> points;
+    double last = 0; // of several in one column the first stands for all
+    for (const CurveRun &run : m_curve->runs)
+        for (const BandPoint &point : run.points) {
+            const double screenX = plot.at(point.x, 0).x();
+            if (point.x < plot.low || point.x > plot.high || (!points.isEmpty() && screenX - last < 1))
+                continue;
+            last = screenX;
+            points.append({point.x * columns.perSi,
+                           std::clamp(double(point.value), plot.values.low, plot.values.high)});
+        }
+    m_spikes->replace(points);
+    return points.size();
+}
+
+void ChartSeries::setPalette(const QPalette &palette)
+{
+    m_colour = inkColour(m_curve->ink, m_curve->place, palette);
+    m_rim = ThemeColours::of(palette).card;
+    setPens();
+}
+
+void ChartSeries::setPens()
+{
+    QColor haze = m_colour;
+    haze.setAlpha(bandAlpha);
+    if (m_band)
+        m_band->setBrush(haze);
+    const bool arePoints = m_curve->kind == ChartCurve::Kind::Points;
+    for (QLineSeries *series : m_lines) {
+        series->setPen(arePoints
+                           ? QPen(m_colour, m_curve->widthPx, Qt::NoPen)
+                           : QPen(m_colour, m_isCoarse ? 1 : m_curve->widthPx,
+                                  m_isCoarse ? Qt::SolidLine : m_curve->dash, Qt::SquareCap, Qt::BevelJoin));
+        series->setPointsVisible(arePoints);
+    }
+    if (m_spikes) {
+        m_spikes->setBrush(m_colour);
+        m_spikes->setPen(QPen(m_rim, 1));
+    }
+}
+
+void ChartSeries::setShown(bool isShown)
+{
+    m_isShown = isShown;
+    for (QAbstractSeries *series : all())
+        series->setVisible(isShown);
+}
+
+} // namespace odo

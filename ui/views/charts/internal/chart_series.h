@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/views/charts/internal/chart_plot.h"
+
+#include <QColor>
+#include <QList>
+
+class QAbstractAxis;
+class QAbstractSeries;
+class QAreaSeries;
+class QChart;
+class QLineSeries;
+class QPalette;
+class QScatterSeries;
+
+namespace odo {
+
+/// Pixel columns of a plot.
+struct ChartColumns
+{
+    ChartPlot plot;
+    double perSi = 1;    ///< the axis below shows so many of its units for one of the SI's
+    double fineness = 1; ///< columns to a pixel: more for print
+    int count() const;
+};
+
+/// The series of Qt Charts that show one ChartCurve. Where more of its points are visible than there are
+/// columns, the extremes of each column are joined; a band is an area. GUI thread.
+class ChartSeries
+{
+public:
+    /// The series belong to the chart; curve must outlive this.
+    ChartSeries(QChart &chart, const ChartCurve &curve);
+    void attach(QAbstractAxis *below, QAbstractAxis *left);
+    /// Without points, so that a change of the axes costs nothing.
+    void clear();
+    /// Gives how many points that takes to draw.
+    qsizetype show(const ChartColumns &columns);
+    /// Lines of one pixel, without dashes: a tenth of the work.
+    void setCoarse(bool isCoarse);
+    void setPalette(const QPalette &palette);
+    void setShown(bool isShown);
+    const ChartCurve &curve() const { return *m_curve; }
+    /// One of its series, to convert places by.
+    QAbstractSeries *anySeries() const;
+
+private:
+    qsizetype showLine(const ChartColumns &columns);
+    qsizetype showDense(const ChartColumns &columns);
+    void showDenseBand(const ChartColumns &columns);
+    qsizetype showPoints(const ChartColumns &columns);
+    qsizetype showSpikes(const ChartColumns &columns);
+    QLineSeries *line(qsizetype index);
+    void setPens();
+    QList<QAbstractSeries *> all() const;
+
+    QChart &m_chart;
+    const ChartCurve *m_curve;
+    QAbstractAxis *m_below = nullptr, *m_left = nullptr;
+    QAreaSeries *m_band = nullptr;
+    QList<QLineSeries *> m_lines; ///< one a run that is visible; of points the one that shows them
+    QScatterSeries *m_spikes = nullptr;
+    QColor m_colour, m_rim;
+    bool m_isShown = true, m_isCoarse = false;
+};
+
+/// The colour of an ink in a palette.
+QColor inkColour(ChartInk ink, int place, const QPalette &palette);
+
+/// An area without an outline, filled in a colour.
+QAreaSeries *newArea(QChart &chart);
+/// Its upper and lower edge: as many points, of the same x.
+void setEdges(QAreaSeries &area, const QList<QPointF> &upper, const QList<QPointF> &lower);
+
+} // namespace odo

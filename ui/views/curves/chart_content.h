@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/analysis/curve_columns.h"
+#include "ui/models/figure_text.h"
+
+#include <QString>
+#include <Qt>
+#include <memory>
+#include <vector>
+
+namespace odo {
+
+/// What a chart shows, as plain values that any thread can make. Colours are named by what they stand for, so
+/// that a chart follows the palette.
+
+/// The colour of a curve: that of a series (seriesColour of its place), or one of the theme.
+enum class ChartInk { Series, Muted, Point, Text, Accent, Spike, Ground };
+
+/// Lines, points or spikes of one thing.
+struct ChartCurve
+{
+    enum class Kind {
+        Line,   ///< with its band, where it has one
+        Points, ///< a dot each
+        Spikes  ///< a triangle each; beyond the axis it stands at its end, for each is to be seen
+    };
+    Kind kind = Kind::Line;
+    std::vector<CurveRun> runs; ///< in order; x in SI units, values in the unit that is shown
+    ChartInk ink = ChartInk::Series;
+    int place = 0; ///< of a series' colour
+    Qt::PenStyle dash = Qt::SolidLine;
+    double widthPx = 1.8;
+    bool hasBand = false;
+    int group = 0; ///< curves of one group are shown and hidden together (Chart::setGroupShown)
+};
+
+/// A stretch of the axis below that is shaded: less than usual is known there.
+struct ChartStretch
+{
+    double from = 0, to = 0;
+    bool isHatched = false; ///< it is doubtful which robot it is
+};
+
+/// The range of the axis at the left, in the unit that is shown.
+struct ValueRange
+{
+    double low = 0, high = 1;
+};
+
+struct ChartContent
+{
+    std::vector<ChartCurve> curves; ///< the first one lies beneath
+    ValueRange range;               ///< that holds all curves
+    QString emptyWords;             ///< shown in place of curves; empty: nothing
+};
+using ChartContentPtr = std::shared_ptr<const ChartContent>;
+
+/// What the axes stand for.
+struct ChartAxes
+{
+    ShownUnit below{QStringLiteral("s"), 1}; ///< of the axis below
+    bool isDate = false;                     ///< below are milliseconds since 1970 (UTC), shown as days
+    QString left;                            ///< title of the axis at the left: a unit, or what is shown
+};
+
+/// What of a chart is shown, all that it takes to paint it (chart_drawing.h).
+struct ChartDrawing
+{
+    ChartContentPtr content;
+    ChartAxes axes;
+    double low = 0, high = 1; ///< of the axis below, SI
+    std::vector<ChartStretch> stretches;
+};
+
+} // namespace odo

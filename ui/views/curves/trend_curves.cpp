@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/curves/trend_curves.h"
+
+#include "ui/models/figure_text.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <memory>
+
+namespace odo {
+
+namespace {
+
+class TrendChartWords
+{
+    Q_DECLARE_TR_FUNCTIONS(TrendPainting)
+};
+
+double msOf(Instant instant)
+{
+    return static_cast<double>(instant.time_since_epoch().count());
+}
+
+ChartCurve runsOf(const TeamStanding &team)
+{
+    ChartCurve runs;
+    runs.kind = ChartCurve::Kind::Points;
+    runs.ink = ChartInk::Text;
+    runs.widthPx = 2;
+    CurveRun points;
+    for (const TeamRun &run : team.runs)
+        points.points.emplace_back(msOf(run.date), CurveValue{run.metric.value, 0});
+    runs.runs = {std::move(points)};
+    return runs;
+}
+
+ChartCurve progressOf(const TeamStanding &team, double fromMs, double toMs)
+{
+    constexpr double band95 = 1.959964; // a band is as wide as that many σ; the spread is shown once
+    const double from = team.progress.change ? team.progress.atStart : team.progress.median;
+    const double to = from + (team.progress.change ? team.progress.change->value : 0);
+    ChartCurve line;
+    line.ink = ChartInk::Accent;
+    line.widthPx = 2;
+    line.dash = team.progress.isBeyondSpread ? Qt::SolidLine : Qt::DashLine;
+    line.hasBand = team.progress.spread.has_value();
+    const double sigma = team.progress.spread.value_or(0) / band95;
+    line.runs = {CurveRun{0, {BandPoint(fromMs, {from, sigma}), BandPoint(toMs, {to, sigma})}}};
+    return line;
+}
+
+} // namespace
+
+ChartDrawing trendDrawing(const TeamStanding &team)
+{
+    constexpr double halfDayMs = 43'200e3, room = 0.04;
+    const double firstMs = msOf(team.runs.front().date), lastMs = msOf(team.runs.back().date);
+    const double aside = std::max(halfDayMs, room * (lastMs - firstMs));
+    auto content = std::make_shared<ChartContent>();
+    content->curves = {progressOf(team, firstMs, std::max(lastMs, firstMs + 1)), runsOf(team)};
+    const auto [low, high] = std::ranges::minmax(team.figures.values);
+    const double spread = team.progress.spread.value_or(0);
+    content->range = {low - spread, high + spread};
+    const Metric &metric = team.runs.front().metric;
+    const QString name = metricName(metric.name);
+    ChartDrawing drawing;
+    drawing.content = std::move(content);
+    drawing.axes.isDate = true;
+    drawing.axes.left = metric.unit == "1"
+                            ? name
+                            : TrendChartWords::tr("%1 in %2").arg(name, QString::fromStdString(metric.unit));
+    drawing.low = firstMs - aside;
+    drawing.high = lastMs + aside;
+    return drawing;
+}
+
+} // namespace odo
