@@ -170,20 +170,6 @@ struct Columns
 };
 constexpr Columns columnWidths{24, 122, 50, 76, 92, 160};
 
-/// The scale on which every run of the class is a dot.
-struct Strip
-{
-    QRectF rect; ///< over all rows
-    AxisTicks ticks;
-    double factor = 1; ///< of the unit that is shown, to one of the metric
-
-    double x(double value) const
-    {
-        const double low = ticks.first / factor, high = ticks.last() / factor;
-        return rect.left() + 6 + (value - low) / (high - low) * (rect.width() - 12);
-    }
-};
-
 /// What part of a ranking a page shows.
 struct RankingPart
 {
@@ -207,10 +193,9 @@ private:
     QRectF paintFrame(const QRectF &sheet, const QString &title, const QStringList &facts, int page,
                       int pages);
     void paintClassFigures(const QRectF &rect);
-    void paintScale(const Strip &strip, double top);
-    void paintRow(const QRectF &row, const TeamStanding &team, const Strip &strip);
+    void paintStrip(const QRectF &rect, const RankingPart &part);
+    void paintRow(const QRectF &row, const TeamStanding &team);
     void paintRuns(const QRectF &rect, const TeamStanding &team);
-    Strip stripIn(const QRectF &rect) const;
     QStringList classFacts() const;
 
     QPainter &m_painter;
@@ -281,30 +266,46 @@ void ClassPage::paintClassFigures(const QRectF &rect)
     drawFigures(m_painter, rect, figures);
 }
 
-Strip ClassPage::stripIn(const QRectF &rect) const
+/// Every run of the teams of a page as a dot on the scale of the class, the median of each as a line.
+void ClassPage::paintStrip(const QRectF &rect, const RankingPart &part)
 {
     constexpr int mostTicks = 5;
+    // Beyond the outermost marks; of a row; so much lower the scale stands on the line of the headings.
+    constexpr double asidePx = 6, halfLine = 0.32, lower = 3;
     const std::vector<double> values = allValues(m_standings);
     const auto [low, high] = std::ranges::minmax(values);
     const double factor = metricUnit(m_standings.teams.front().runs.front().metric).perSi;
-    const double least = std::max(1e-9, (high - low) * factor);
-    return {rect, coveringTicks(low * factor, low * factor + least, mostTicks), factor};
-}
-
-void ClassPage::paintScale(const Strip &strip, double top)
-{
-    for (const double tick : strip.ticks.values()) {
-        const double x = strip.x(tick / strip.factor);
-        m_painter.setPen(QPen(m_colours.grid, 0.7));
-        m_painter.drawLine(QPointF(x, strip.rect.top()), QPointF(x, strip.rect.bottom()));
-        drawLine(m_painter, QRectF(x - 30, top, 60, scaleHeight), strip.ticks.label(tick),
-                 reportFont(smallSize), m_colours.muted, Qt::AlignCenter);
+    const AxisTicks ticks =
+        coveringTicks(low * factor, low * factor + std::max(1e-9, (high - low) * factor), mostTicks);
+    const double aside = asidePx * (ticks.last() - ticks.first) / std::max(1.0, rect.width() - 2 * asidePx);
+    ChartCurve dots, medians;
+    dots.kind = ChartCurve::Kind::Points;
+    dots.ink = ChartInk::Point;
+    dots.widthPx = 2;
+    medians.ink = ChartInk::Text;
+    medians.widthPx = 2;
+    CurveRun points;
+    for (std::size_t team = part.from; team < part.to; ++team) {
+        const double row = double(part.to - team) - 0.5; // from below
+        for (const double value : m_standings.teams[team].figures.values)
+            points.points.emplace_back(factor * value, CurveValue{row, 0});
+        const double median = factor * m_standings.teams[team].figures.median;
+        medians.runs.push_back(
+            {0, {BandPoint(median, {row - halfLine, 0}), BandPoint(median, {row + halfLine, 0})}});
     }
+    std::ranges::sort(points.points, {}, &BandPoint::x);
+    dots.runs = {std::move(points)};
+    auto content = std::make_shared<ChartContent>();
+    content->curves = {std::move(dots), std::move(medians)};
+    content->range = {0, double(part.to - part.from) - lower / part.rowHeight};
+    drawChart(
+        m_painter, rect.adjusted(0, lower, 0, 0),
+        {std::move(content), {{}, {}, ChartStyle::Strip}, ticks.first - aside, ticks.last() + aside, {}},
+        reportPalette(), reportFont(smallSize));
 }
 
-void ClassPage::paintRow(const QRectF &row, const TeamStanding &team, const Strip &strip)
+void ClassPage::paintRow(const QRectF &row, const TeamStanding &team)
 {
-    constexpr double radius = 2.6;
     const QFont font = reportFont(smallSize + 1);
     double left = row.left();
     const auto cell = [&](double width, const QString &text, Qt::Alignment side,
@@ -321,15 +322,6 @@ void ClassPage::paintRow(const QRectF &row, const TeamStanding &team, const Stri
     cell(columnWidths.runs, QLocale().toString(int(team.runs.size())), Qt::AlignRight);
     cell(columnWidths.best, figureOf(m_standings, team.progress.best).text(), Qt::AlignRight);
     cell(columnWidths.median, medianText(team, m_standings), Qt::AlignRight);
-    const double middle = row.center().y();
-    m_painter.setRenderHint(QPainter::Antialiasing);
-    m_painter.setPen(QPen(m_colours.card, 0.7));
-    m_painter.setBrush(m_colours.point);
-    for (const double value : team.figures.values)
-        m_painter.drawEllipse(QPointF(strip.x(value), middle), radius, radius);
-    m_painter.setPen(QPen(m_colours.text, 2));
-    const double at = strip.x(team.figures.median);
-    m_painter.drawLine(QPointF(at, middle - row.height() * 0.32), QPointF(at, middle + row.height() * 0.32));
     left += columnWidths.strip;
     drawLine(m_painter, QRectF(left + 8, row.top(), row.right() - left - 8, row.height()),
              progressText(team, m_standings), reportFont(smallSize), m_colours.muted);
@@ -349,8 +341,7 @@ void ClassPage::paintRanking(const QRectF &sheet, const RankingPart &part)
     constexpr double stripGap = 14; // so that the scale keeps off the word before it
     const double stripLeft = room.left() + stripGap + w.rank + w.team + w.runs + w.best + w.median;
     const double rows = part.rowHeight * double(part.to - part.from);
-    const Strip strip = stripIn(QRectF(stripLeft, room.top() + scaleHeight, w.strip - stripGap, rows));
-    paintScale(strip, room.top());
+    paintStrip(QRectF(stripLeft, room.top(), w.strip - stripGap, scaleHeight + rows), part);
     double left = room.left();
     const auto head = [&](double width, const QString &text, Qt::Alignment side) {
         drawLine(m_painter, QRectF(left + 2, room.top(), width - 8, scaleHeight), text, reportFont(smallSize),
@@ -368,7 +359,7 @@ void ClassPage::paintRanking(const QRectF &sheet, const RankingPart &part)
     for (std::size_t team = part.from; team < part.to; ++team) {
         m_painter.setPen(QPen(m_colours.grid, 0.7));
         m_painter.drawLine(QPointF(room.left(), top), QPointF(room.right(), top));
-        paintRow(QRectF(room.left(), top, room.width(), part.rowHeight), m_standings.teams[team], strip);
+        paintRow(QRectF(room.left(), top, room.width(), part.rowHeight), m_standings.teams[team]);
         top += part.rowHeight;
     }
 }

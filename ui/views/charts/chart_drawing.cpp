@@ -35,7 +35,8 @@ void record(Recorded &recorded)
     chart->setContent(recorded.drawing.content, recorded.drawing.stretches);
     chart->setSize(recorded.size);
     chart->show(recorded.drawing.low, recorded.drawing.high,
-                recorded.drawing.content ? recorded.drawing.content->range : ValueRange());
+                recorded.drawing.content ? recorded.drawing.content->range : ValueRange(),
+                recorded.drawing.axes.style == ChartStyle::Strip); // its rows are where the page has them
     chart->prepare();
     const QRectF room(QPointF(0, 0), recorded.size);
     QPainter painter(&recorded.picture);

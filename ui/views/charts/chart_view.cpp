@@ -125,7 +125,7 @@ void ChartView::paintCrosshair(QPainter &painter) const
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
     const double perSi = axes.below.perSi;
     const QString below =
-        axes.isDate
+        axes.style == ChartStyle::Dates
             ? locale.toString(QDateTime::fromMSecsSinceEpoch(qint64(x)).date(), QLocale::ShortFormat)
             : locale.toString(perSi * x, 'f', digits(perSi * (plot.high - plot.low) / plot.rect.width())) +
                   u' ' + axes.below.name;
@@ -142,7 +142,7 @@ void ChartView::paintEvent(QPaintEvent *)
                   [this](QPainter &still) { paintStill(still); });
     painter.setFont(font());
     painter.setRenderHint(QPainter::Antialiasing);
-    if (m_mouse && m_content)
+    if (m_mouse && m_content && m_chart->axesShown().style != ChartStyle::Bars)
         paintCrosshair(painter);
     paintOver(painter);
     drawChartFocus(painter, *this);

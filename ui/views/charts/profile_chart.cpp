@@ -23,7 +23,7 @@ namespace {
 ChartAxes axesOf(const ChartSpan &span, Quantity quantity)
 {
     const bool isTime = span.against() == ChartSpan::Against::Time;
-    return {isTime ? ShownUnit{QStringLiteral("s"), 1} : shownUnits().distance, false, curveUnit(quantity)};
+    return {isTime ? ShownUnit{QStringLiteral("s"), 1} : shownUnits().distance, curveUnit(quantity)};
 }
 
 } // namespace

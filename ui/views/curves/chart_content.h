@@ -23,15 +23,17 @@ struct ChartCurve
     enum class Kind {
         Line,   ///< with its band, where it has one
         Points, ///< a dot each
-        Spikes  ///< a triangle each; beyond the axis it stands at its end, for each is to be seen
+        Spikes, ///< a triangle each; beyond the axis it stands at its end, for each is to be seen
+        Bars    ///< from 0 to the value, 0.8 wide
     };
     Kind kind = Kind::Line;
     std::vector<CurveRun> runs; ///< in order; x in SI units, values in the unit that is shown
     ChartInk ink = ChartInk::Series;
     int place = 0; ///< of a series' colour
     Qt::PenStyle dash = Qt::SolidLine;
-    double widthPx = 1.8;
+    double widthPx = 1.8; ///< of lines; of points about a third of their size
     bool hasBand = false;
+    Qt::BrushStyle fill = Qt::SolidPattern; ///< of bars; Qt::NoBrush: their outline alone
     int group = 0; ///< curves of one group are shown and hidden together (Chart::setGroupShown)
 };
 
@@ -56,12 +58,20 @@ struct ChartContent
 };
 using ChartContentPtr = std::shared_ptr<const ChartContent>;
 
+/// What kind of axes a chart has.
+enum class ChartStyle {
+    Plot,  ///< an amount below, values at the left
+    Dates, ///< below are milliseconds since 1970 (UTC), shown as days
+    Strip, ///< amounts above, with lines down through rows; nothing at the left, and no margins
+    Bars   ///< things from 0 on below, without a scale; values at the left
+};
+
 /// What the axes stand for.
 struct ChartAxes
 {
     ShownUnit below{QStringLiteral("s"), 1}; ///< of the axis below
-    bool isDate = false;                     ///< below are milliseconds since 1970 (UTC), shown as days
     QString left;                            ///< title of the axis at the left: a unit, or what is shown
+    ChartStyle style = ChartStyle::Plot;
 };
 
 /// What of a chart is shown, all that it takes to paint it (chart_drawing.h).

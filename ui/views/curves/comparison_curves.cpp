@@ -96,7 +96,7 @@ QString comparedUnit(Compared what)
 
 ChartAxes comparedAxes(Compared what)
 {
-    return {shownUnits().distance, false, comparedUnit(what)};
+    return {shownUnits().distance, comparedUnit(what)};
 }
 
 PathSpan comparedSpan(const ComparisonScene &scene)

@@ -65,7 +65,7 @@ ChartDrawing trendDrawing(const TeamStanding &team)
     const QString name = metricName(metric.name);
     ChartDrawing drawing;
     drawing.content = std::move(content);
-    drawing.axes.isDate = true;
+    drawing.axes.style = ChartStyle::Dates;
     drawing.axes.left = metric.unit == "1"
                             ? name
                             : TrendChartWords::tr("%1 in %2").arg(name, QString::fromStdString(metric.unit));

@@ -13,6 +13,7 @@
 #include "ui/testbed/lens/internal/board_canvas.h"
 #include "ui/testbed/lens/internal/lens_pictures_page.h"
 #include "ui/testbed/lens/internal/lens_result_page.h"
+#include "ui/testbed/lens/internal/picture_bars.h"
 #include "ui/testbed/lens/lens_wizard.h"
 
 #include <QAction>

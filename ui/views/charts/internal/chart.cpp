@@ -21,8 +21,8 @@ namespace odo {
 namespace {
 
 constexpr double leftMargin = 48, titleWidth = 16, rightMargin = 22, dateMargin = 44, topMargin = 10,
-                 bottomMargin = 28;
-constexpr double tickApartPx = 23, leastStretchPx = 2;
+                 bottomMargin = 28, stripScale = 16;
+constexpr double tickApartPx = 23, stripTickApartPx = 30, leastStretchPx = 2;
 constexpr qsizetype mostSmooth = 4500; // points: two charts of them take less than a frame
 
 void setTicks(QValueAxis &axis, double low, double high, const AxisTicks &ticks, const QString &unit)
@@ -67,7 +67,8 @@ void Chart::makeAxes()
             removeAxis(axis);
             delete axis;
         }
-    if (m_axes.isDate) {
+    const bool isStrip = m_axes.style == ChartStyle::Strip;
+    if (m_axes.style == ChartStyle::Dates) {
         auto *date = new QDateTimeAxis;
         date->setFormat(QLocale().dateFormat(QLocale::ShortFormat));
         m_below = date;
@@ -75,9 +76,11 @@ void Chart::makeAxes()
         m_below = new QValueAxis;
     }
     m_left = new QValueAxis;
-    addAxis(m_below, Qt::AlignBottom);
+    addAxis(m_below, isStrip ? Qt::AlignTop : Qt::AlignBottom);
     addAxis(m_left, Qt::AlignLeft);
-    m_below->setGridLineVisible(false);
+    m_below->setGridLineVisible(isStrip);
+    m_below->setLabelsVisible(m_axes.style != ChartStyle::Bars);
+    m_left->setVisible(!isStrip);
     m_below->setLineVisible(false);
     m_left->setLineVisible(false);
     m_below->setTruncateLabels(false);
@@ -87,7 +90,7 @@ void Chart::makeAxes()
 
 void Chart::setAxes(const ChartAxes &axes)
 {
-    if (axes.isDate == m_axes.isDate && axes.left == m_axes.left && axes.below.name == m_axes.below.name &&
+    if (axes.style == m_axes.style && axes.left == m_axes.left && axes.below.name == m_axes.below.name &&
         axes.below.perSi == m_axes.below.perSi)
         return;
     m_axes = axes;
@@ -186,10 +189,14 @@ void Chart::setFineness(double fineness)
 void Chart::setSize(const QSizeF &size)
 {
     resize(size);
-    const double left = leftMargin + (m_axes.left.isEmpty() ? 0 : titleWidth),
-                 right = m_axes.isDate ? dateMargin : rightMargin;
-    setPlotArea(QRectF(left, topMargin, std::max(1.0, size.width() - left - right),
-                       std::max(1.0, size.height() - topMargin - bottomMargin)));
+    const bool isStrip = m_axes.style == ChartStyle::Strip;
+    const double left = isStrip ? 0 : leftMargin + (m_axes.left.isEmpty() ? 0 : titleWidth),
+                 right = isStrip                             ? 0
+                         : m_axes.style == ChartStyle::Dates ? dateMargin
+                                                             : rightMargin,
+                 top = isStrip ? stripScale : topMargin, bottom = isStrip ? 0 : bottomMargin;
+    setPlotArea(QRectF(left, top, std::max(1.0, size.width() - left - right),
+                       std::max(1.0, size.height() - top - bottom)));
     invalidate();
 }
 
@@ -230,9 +237,12 @@ void Chart::setAxisRanges()
         return;
     }
     auto *axis = static_cast<QValueAxis *>(m_below);
-    const double labelWidth = metrics.horizontalAdvance(QStringLiteral("0000 ") + m_axes.below.name);
+    const bool isStrip = m_axes.style == ChartStyle::Strip;
+    const double apart = isStrip
+                             ? stripTickApartPx
+                             : 1.6 * metrics.horizontalAdvance(QStringLiteral("0000 ") + m_axes.below.name);
     const AxisTicks below =
-        niceTicks(perSi * m_low, perSi * m_high, std::max(2, int(plotArea().width() / (1.6 * labelWidth))));
+        niceTicks(perSi * m_low, perSi * m_high, std::max(2, int(plotArea().width() / apart)));
     setTicks(*axis, perSi * m_low, perSi * m_high, below, m_axes.below.name);
 }
 

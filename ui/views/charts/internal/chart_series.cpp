@@ -150,7 +150,7 @@ ChartSeries::ChartSeries(QChart &chart, const ChartCurve &curve) : m_chart(chart
         m_chart.addSeries(m_spikes);
         return;
     }
-    if (curve.hasBand)
+    if (curve.hasBand || curve.kind == ChartCurve::Kind::Bars)
         m_band = newArea(chart);
     line(0);
 }
@@ -213,6 +213,8 @@ qsizetype ChartSeries::show(const ChartColumns &columns)
         return 0;
     if (m_spikes)
         return showSpikes(columns);
+    if (m_curve->kind == ChartCurve::Kind::Bars)
+        return showBars(columns);
     const std::size_t count = visibleCount(m_curve->runs, columns.plot.low, columns.plot.high);
     if (count > static_cast<std::size_t>(columns.count()))
         return showDense(columns);
@@ -313,6 +315,25 @@ qsizetype ChartSeries::showPoints(const ChartColumns &columns)
     return points.size();
 }
 
+qsizetype ChartSeries::showBars(const ChartColumns &columns)
+{
+    constexpr double halfWidth = 0.4;
+    AreaOutline bars;
+    qsizetype strokes = 0;
+    for (const CurveRun &run : m_curve->runs)
+        for (const BandPoint &point : run.points) {
+            ++strokes;
+            const double left = (point.x - halfWidth) * columns.perSi,
+                         right = (point.x + halfWidth) * columns.perSi;
+            bars.add(left, 0, 0);
+            bars.add(left, 0, double(point.value));
+            bars.add(right, 0, double(point.value));
+            bars.add(right, 0, 0);
+        }
+    bars.setTo(*m_band);
+    return strokes;
+}
+
 qsizetype ChartSeries::showSpikes(const ChartColumns &columns)
 {
     const ChartPlot &plot = columns.plot;
@@ -342,8 +363,15 @@ void ChartSeries::setPens()
 {
     QColor haze = m_colour;
     haze.setAlpha(bandAlpha);
-    if (m_band)
+    if (m_curve->kind == ChartCurve::Kind::Bars) {
+        const bool isOutline = m_curve->fill == Qt::NoBrush;
+        m_band->setBrush(isOutline ? QBrush(Qt::NoBrush) : QBrush(m_colour, m_curve->fill));
+        m_band->setPen(m_curve->fill == Qt::SolidPattern
+                           ? QPen(Qt::NoPen)
+                           : QPen(m_colour, isOutline ? 2 : 1, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+    } else if (m_band) {
         m_band->setBrush(haze);
+    }
     const bool arePoints = m_curve->kind == ChartCurve::Kind::Points;
     for (QLineSeries *series : m_lines) {
         series->setPen(arePoints

@@ -51,6 +51,7 @@ private:
     void showDenseBand(const ChartColumns &columns);
     qsizetype showPoints(const ChartColumns &columns);
     qsizetype showSpikes(const ChartColumns &columns);
+    qsizetype showBars(const ChartColumns &columns);
     QLineSeries *line(qsizetype index);
     void setPens();
     QList<QAbstractSeries *> all() const;
@@ -58,8 +59,8 @@ private:
     QChart &m_chart;
     const ChartCurve *m_curve;
     QAbstractAxis *m_below = nullptr, *m_left = nullptr;
-    QAreaSeries *m_band = nullptr;
-    QList<QLineSeries *> m_lines; ///< one a run that is visible; of points the one that shows them
+    QAreaSeries *m_band = nullptr; ///< or the bars
+    QList<QLineSeries *> m_lines;  ///< one a run that is visible; of points the one that shows them
     QScatterSeries *m_spikes = nullptr;
     QColor m_colour, m_rim;
     bool m_isShown = true, m_isCoarse = false;
