@@ -148,18 +148,20 @@ QString titleOf(Quantity quantity)
                : ReportChartWords::tr("Acceleration along the path, %1").arg(curveUnit(quantity));
 }
 
-/// Hatched over the time of the spikes: that survives a copier.
-std::vector<ChartStretch> spikeStretches(const std::vector<RunEvent> &events, double apartS)
+/// Slanted lines over the time of the spikes: they survive a copier.
+void drawHatch(QPainter &painter, const ChartPlot &plot, double from, double to)
 {
-    std::vector<ChartStretch> stretches;
-    for (const RunEvent &event : events) {
-        if (event.kind != RunEvent::Kind::Spike)
-            continue;
-        const double middle = (toSeconds(event.time) + toSeconds(event.until)) / 2,
-                     half = std::max(apartS, toSeconds(event.until - event.time)) / 2;
-        stretches.push_back({middle - half, middle + half, true});
-    }
-    return stretches;
+    constexpr double least = 5, apart = 4;
+    const double middle = (plot.at(from, 0).x() + plot.at(to, 0).x()) / 2;
+    const double half = std::max(least, plot.at(to, 0).x() - plot.at(from, 0).x()) / 2;
+    const QRectF box =
+        QRectF(middle - half, plot.rect.top(), 2 * half, plot.rect.height()).intersected(plot.rect);
+    painter.save();
+    painter.setClipRect(box);
+    painter.setPen(QPen(ThemeColours::of(reportPalette()).spike, 0.6));
+    for (double y = box.top() - box.width(); y < box.bottom() + box.width(); y += apart)
+        painter.drawLine(QPointF(box.left(), y + box.width()), QPointF(box.right(), y));
+    painter.restore();
 }
 
 void drawEvents(QPainter &painter, const ChartPlot &plot, const std::vector<RunEvent> &events)
@@ -204,7 +206,7 @@ void drawRunChart(QPainter &painter, const QRectF &rect, const Profile &profile,
     const QRectF room =
         drawPartTitle(painter, rect, titleOf(quantity),
                       ReportChartWords::tr("smoothed, with its ±95 % band; dots: as measured"));
-    constexpr double numberRoom = 6, leastStretch = 0.012;
+    constexpr double numberRoom = 6; // for the events above
     const std::vector<double> times = sampleTimes(profile);
     ProfileCurves curves = profileCurves(profile, quantity, times);
     std::erase_if(curves.line.runs, [](const CurveRun &run) { return !run.isLine(); });
@@ -223,11 +225,13 @@ void drawRunChart(QPainter &painter, const QRectF &rect, const Profile &profile,
     drawing.content = std::move(content);
     drawing.low = times.front();
     drawing.high = std::max(times.back(), times.front() + 1e-3);
-    drawing.stretches = spikeStretches(events, leastStretch * (drawing.high - drawing.low));
     const ChartPlot plot =
         drawChart(painter, room.adjusted(0, numberRoom, 0, 0), drawing, palette, reportFont(smallSize));
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
+    for (const RunEvent &event : events)
+        if (event.kind == RunEvent::Kind::Spike)
+            drawHatch(painter, plot, toSeconds(event.time), toSeconds(event.until));
     drawEvents(painter, plot, events);
     painter.restore();
 }

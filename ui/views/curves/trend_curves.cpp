@@ -4,6 +4,7 @@
 #include "ui/models/figure_text.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
 #include <algorithm>
 #include <memory>
 
@@ -19,6 +20,11 @@ class TrendChartWords
 double msOf(Instant instant)
 {
     return static_cast<double>(instant.time_since_epoch().count());
+}
+
+QDate dayOf(double ms)
+{
+    return QDateTime::fromMSecsSinceEpoch(qint64(ms)).date();
 }
 
 ChartCurve runsOf(const TeamStanding &team)
@@ -53,9 +59,7 @@ ChartCurve progressOf(const TeamStanding &team, double fromMs, double toMs)
 
 ChartDrawing trendDrawing(const TeamStanding &team)
 {
-    constexpr double halfDayMs = 43'200e3, room = 0.04;
     const double firstMs = msOf(team.runs.front().date), lastMs = msOf(team.runs.back().date);
-    const double aside = std::max(halfDayMs, room * (lastMs - firstMs));
     auto content = std::make_shared<ChartContent>();
     content->curves = {progressOf(team, firstMs, std::max(lastMs, firstMs + 1)), runsOf(team)};
     const auto [low, high] = std::ranges::minmax(team.figures.values);
@@ -69,8 +73,8 @@ ChartDrawing trendDrawing(const TeamStanding &team)
     drawing.axes.left = metric.unit == "1"
                             ? name
                             : TrendChartWords::tr("%1 in %2").arg(name, QString::fromStdString(metric.unit));
-    drawing.low = firstMs - aside;
-    drawing.high = lastMs + aside;
+    drawing.low = double(dayOf(firstMs).startOfDay().toMSecsSinceEpoch());
+    drawing.high = double(dayOf(lastMs).addDays(1).startOfDay().toMSecsSinceEpoch());
     return drawing;
 }
 

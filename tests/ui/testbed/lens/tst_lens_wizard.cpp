@@ -15,6 +15,7 @@
 #include "ui/testbed/lens/internal/lens_result_page.h"
 #include "ui/testbed/lens/internal/picture_bars.h"
 #include "ui/testbed/lens/lens_wizard.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QAction>
 #include <QApplication>
@@ -72,6 +73,7 @@ private Q_SLOTS:
     void saysWhyPicturesDoNotCount();
     void takesOutAndUndoes();
     void leavesOutWhatIsAboveTheThreshold();
+    void aBarIsChosenAndTheThresholdDragged();
     void tellsOfALostCamera();
     void staysOpenWhenTheDiskIsFull();
     void everyHintHasItsWords();
@@ -306,6 +308,44 @@ void TestLensWizard::leavesOutWhatIsAboveTheThreshold()
         QTest::keyClick(bars, Qt::Key_Up);
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
     QCOMPARE(wizard->result().calibration.picturesUsed(), kept);
+}
+
+void TestLensWizard::aBarIsChosenAndTheThresholdDragged()
+{
+    PictureBars bars;
+    bars.resize(500, 220);
+    bars.setBars({QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c"), QStringLiteral("d")},
+                 {0.2, 0.3, 0.1, 0.4});
+    bars.show();
+    QVERIFY(std::abs(bars.threshold() - 1.5 * 0.4) < 1e-9);
+    QSignalSpy chosen(&bars, &PictureBars::currentChanged), changed(&bars, &PictureBars::thresholdChanged);
+    QTest::mouseClick(bars.viewport(), Qt::LeftButton, {}, bars.positionOf(1, 0.15).toPoint());
+    QCOMPARE(bars.current(), 1);
+    QCOMPARE(chosen.count(), 1);
+    const auto ink = [&bars](double index) { // how many pixels of a bar are filled
+        const QImage image = bars.grab().toImage();
+        const QPoint middle = bars.positionOf(index, 0.05).toPoint();
+        int filled = 0;
+        for (int x = -8; x <= 8; ++x)
+            for (int y = -4; y <= 4; ++y)
+                filled += image.pixelColor(middle + QPoint(x, y)) == ThemeColours::of(bars.palette()).accent;
+        return filled;
+    };
+    constexpr int all = 17 * 9;
+    QCOMPARE(ink(0), all);
+    QCOMPARE(ink(3), all);
+    const QPoint from = bars.positionOf(2, bars.threshold()).toPoint(),
+                 to = bars.positionOf(2, 0.35).toPoint();
+    QTest::mousePress(bars.viewport(), Qt::LeftButton, {}, from);
+    QTest::mouseMove(bars.viewport(), to);
+    QCOMPARE(changed.count(), 0); // it is not let go yet
+    QTest::mouseRelease(bars.viewport(), Qt::LeftButton, {}, to);
+    QCOMPARE(changed.count(), 1);
+    QVERIFY2(std::abs(bars.threshold() - 0.35) < 0.01,
+             qPrintable(QString::number(bars.threshold()))); // a pixel
+    QCOMPARE(bars.current(), 1);
+    QCOMPARE(ink(0), all);
+    QCOMPARE(ink(3), 0); // hatched in another colour: it does not count
 }
 
 void TestLensWizard::tellsOfALostCamera()

@@ -14,6 +14,7 @@
 #include <QLocale>
 #include <QValueAxis>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace odo {
@@ -23,6 +24,7 @@ namespace {
 constexpr double leftMargin = 48, titleWidth = 16, rightMargin = 22, dateMargin = 44, topMargin = 10,
                  bottomMargin = 28, stripScale = 16;
 constexpr double tickApartPx = 23, stripTickApartPx = 30, leastStretchPx = 2;
+constexpr double dayMs = 86'400e3;
 constexpr qsizetype mostSmooth = 4500; // points: two charts of them take less than a frame
 
 void setTicks(QValueAxis &axis, double low, double high, const AxisTicks &ticks, const QString &unit)
@@ -36,6 +38,17 @@ void setTicks(QValueAxis &axis, double low, double high, const AxisTicks &ticks,
                         (unit.isEmpty() ? QString() : u' ' + unit));
     axis.setRange(low, high);
     axis.setTickInterval(ticks.step);
+}
+
+/// How many marks divide so many days: whole days apart where that leaves enough of them.
+int dateTicks(double days, int most)
+{
+    const int whole = std::max(1, int(std::lround(days)));
+    most = std::clamp(most, 2, whole + 1);
+    for (int count = most; 2 * count > most; --count)
+        if (count >= 2 && whole % (count - 1) == 0)
+            return count;
+    return most;
 }
 
 } // namespace
@@ -231,9 +244,7 @@ void Chart::setAxisRanges()
                        QDateTime::fromMSecsSinceEpoch(qint64(m_high)));
         const double width =
             1.6 * metrics.horizontalAdvance(QLocale().toString(QDate(2000, 12, 28), QLocale::ShortFormat));
-        constexpr double dayMs = 86400e3;
-        date->setTickCount(
-            std::clamp(int(std::min(plotArea().width() / width, (m_high - m_low) / dayMs)) + 1, 2, 8));
+        date->setTickCount(dateTicks((m_high - m_low) / dayMs, int(plotArea().width() / width)));
         return;
     }
     auto *axis = static_cast<QValueAxis *>(m_below);
