@@ -18,7 +18,7 @@ using namespace odo::test;
 
 namespace {
 
-constexpr int samples = 216'000, robots = 2, steps = 40; // an hour at 60 frames/s
+constexpr int samples = 216'000, steps = 40; // an hour at 60 frames/s
 constexpr QSize chartSize(1100, 240);
 
 /// CPU time of repainting both charts with so much of the hour visible, a little further on at each step, in
@@ -63,15 +63,9 @@ double longestTurnMs(ProfileChart &speed, ProfileChart &acceleration, const Tria
     return longest;
 }
 
-} // namespace
-
-int main(int argc, char **argv)
+/// Charts of so many robots, with so many samples each.
+void measure(const TrialScenePtr &scene, int robots, std::vector<Figure> &figures)
 {
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QApplication application(argc, argv);
-    QApplication::setStyle(QStringLiteral("Fusion"));
-    QApplication::setPalette(lightPalette());
-    const TrialScenePtr scene = exampleScene({.frames = samples, .robots = robots});
     Timeline timeline;
     ChartSpan span(timeline);
     timeline.setFrameTimes(scene->frameTimes());
@@ -84,18 +78,32 @@ int main(int argc, char **argv)
     QCoreApplication::processEvents();
     const double shownMs = longestTurnMs(speed, acceleration, scene);
     constexpr double frameMs = 1000.0 / 30;
-    std::vector<Figure> figures{{QStringLiteral("an hour shown, longest work on the window's thread"),
-                                 shownMs,
-                                 std::nullopt,
-                                 50.0,
-                                 QStringLiteral("ms"),
-                                 {}}};
+    const QString whose = robots == 1 ? QStringLiteral("one robot") : QStringLiteral("%1 robots").arg(robots);
+    figures.push_back({QStringLiteral("%1: an hour shown, longest work on the window's thread").arg(whose),
+                       shownMs,
+                       std::nullopt,
+                       50.0,
+                       QStringLiteral("ms"),
+                       {}});
     for (const double share : {1.0, 0.5, 0.2, 0.05, 0.02, 0.01, 0.005, 0.001}) {
         const double ms = panMs(span, speed, acceleration, share);
-        figures.push_back({QStringLiteral("two charts panned, %1 of an hour visible").arg(share), ms,
+        figures.push_back({QStringLiteral("%1: two charts, %2 of an hour visible").arg(whose).arg(share), ms,
                            std::nullopt, frameMs, QStringLiteral("ms"),
                            QStringLiteral("%1 frames/s").arg(1000 / ms, 0, 'f', 0)});
     }
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    QApplication application(argc, argv);
+    QApplication::setStyle(QStringLiteral("Fusion"));
+    QApplication::setPalette(lightPalette());
+    std::vector<Figure> figures;
+    for (const int robots : {1, 2})
+        measure(exampleScene({.frames = samples, .robots = robots}), robots, figures);
     QTextStream(stdout) << figuresTable(figures);
     return std::all_of(figures.begin(), figures.end(), [](const Figure &figure) { return figure.isMet(); })
                ? 0

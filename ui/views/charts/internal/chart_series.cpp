@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/charts/internal/chart_series.h"
 
+#include "ui/views/charts/internal/area_outline.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QAreaSeries>
@@ -23,84 +24,22 @@ bool holds(const ValueRange &values, double value)
     return value >= values.low && value <= values.high;
 }
 
-/// The outline of an area that may have gaps: across a gap it has no height, so that nothing is filled.
-class AreaOutline
-{
-public:
-    void add(double x, double low, double high)
-    {
-        m_upper.append({x, high});
-        m_lower.append({x, low});
-    }
-    /// Closes what was added before and opens the next piece at x.
-    void leap(double x, double low, double high)
-    {
-        if (!m_upper.isEmpty()) {
-            const double last = m_upper.last().x(), middle = (m_upper.last().y() + m_lower.last().y()) / 2;
-            add(last, middle, middle);
-            add(x, (low + high) / 2, (low + high) / 2);
-        }
-        add(x, low, high);
-    }
-    void setTo(QAreaSeries &area) const { setEdges(area, m_upper, m_lower); }
-
-private:
-    QList<QPointF> m_upper, m_lower;
-};
-
-/// Columns as an outline, none of them lower than least (in the values' unit). A column that is not joined to
-/// the one before it is as wide as a column is.
-class ColumnOutline
-{
-public:
-    ColumnOutline(const ChartColumns &columns, double leastPx)
-        : m_low(columns.plot.low * columns.perSi),
-          m_step((columns.plot.high - columns.plot.low) * columns.perSi / columns.count()),
-          m_least(leastPx * (columns.plot.values.high - columns.plot.values.low) /
-                  std::max(1.0, columns.plot.rect.height()))
-    {
-    }
-    void add(int index, bool isJoined, double low, double high)
-    {
-        if (high - low < m_least) {
-            const double middle = (low + high) / 2;
-            low = middle - m_least / 2;
-            high = middle + m_least / 2;
-        }
-        const double left = m_low + index * m_step;
-        if (!isJoined || m_isFirst) {
-            close();
-            m_outline.leap(left, low, high);
-        }
-        m_outline.add(left + m_step / 2, low, high);
-        m_isFirst = false;
-        m_right = left + m_step;
-        m_lastLow = low;
-        m_lastHigh = high;
-    }
-    void setTo(QAreaSeries &area)
-    {
-        close();
-        m_outline.setTo(area);
-    }
-
-private:
-    void close()
-    {
-        if (!m_isFirst)
-            m_outline.add(m_right, m_lastLow, m_lastHigh);
-    }
-    AreaOutline m_outline;
-    double m_low, m_step, m_least;
-    bool m_isFirst = true;
-    double m_right = 0, m_lastLow = 0, m_lastHigh = 0;
-};
-
 } // namespace
 
 int ChartColumns::count() const
 {
     return std::max(1, int(std::ceil(plot.rect.width() * fineness)));
+}
+
+double ChartColumns::middleOf(int column) const
+{
+    return perSi * (plot.low + (column + 0.5) * (plot.high - plot.low) / count());
+}
+
+bool ChartColumns::areAlike(double low, double high) const
+{
+    constexpr double alikePx = 0.7;
+    return (high - low) * plot.rect.height() < alikePx * (plot.values.high - plot.values.low);
 }
 
 QColor inkColour(ChartInk ink, int place, const QPalette &palette)
@@ -123,22 +62,6 @@ QColor inkColour(ChartInk ink, int place, const QPalette &palette)
         break;
     }
     return seriesColour(place, palette);
-}
-
-QAreaSeries *newArea(QChart &chart)
-{
-    auto *area = new QAreaSeries;
-    area->setUpperSeries(new QLineSeries(area));
-    area->setLowerSeries(new QLineSeries(area));
-    chart.addSeries(area);
-    area->setPen(Qt::NoPen);
-    return area;
-}
-
-void setEdges(QAreaSeries &area, const QList<QPointF> &upper, const QList<QPointF> &lower)
-{
-    area.upperSeries()->replace(upper);
-    area.lowerSeries()->replace(lower);
 }
 
 ChartSeries::ChartSeries(QChart &chart, const ChartCurve &curve) : m_chart(chart), m_curve(&curve)
@@ -216,9 +139,10 @@ qsizetype ChartSeries::show(const ChartColumns &columns)
     if (m_curve->kind == ChartCurve::Kind::Bars)
         return showBars(columns);
     const std::size_t count = visibleCount(m_curve->runs, columns.plot.low, columns.plot.high);
-    if (count > static_cast<std::size_t>(columns.count()))
-        return showDense(columns);
-    return m_curve->kind == ChartCurve::Kind::Points ? showPoints(columns) : showLine(columns);
+    const bool isDense = count > static_cast<std::size_t>(columns.count());
+    if (m_curve->kind == ChartCurve::Kind::Points)
+        return isDense ? showDensePoints(columns) : showPoints(columns);
+    return isDense ? showDenseLine(columns) : showLine(columns);
 }
 
 void ChartSeries::setCoarse(bool isCoarse)
@@ -229,13 +153,8 @@ void ChartSeries::setCoarse(bool isCoarse)
 
 /// From the lowest to the highest value of each column and on to the next: what the eye would see of a line
 /// through all points, at two points a column, or one where they are within a pixel.
-qsizetype ChartSeries::showDense(const ChartColumns &columns)
+qsizetype ChartSeries::showDenseLine(const ChartColumns &columns)
 {
-    constexpr double alikePx = 0.7;
-    const ChartPlot &plot = columns.plot;
-    const double step = (plot.high - plot.low) / columns.count(),
-                 alike = alikePx * (plot.values.high - plot.values.low) / std::max(1.0, plot.rect.height());
-    const bool arePoints = m_curve->kind == ChartCurve::Kind::Points;
     QList<QPointF> points;
     qsizetype used = 0, strokes = 0;
     const auto finish = [&] {
@@ -243,26 +162,42 @@ qsizetype ChartSeries::showDense(const ChartColumns &columns)
         if (!points.isEmpty())
             line(used++)->replace(std::exchange(points, {}));
     };
-    for (const CurveColumn &column : curveColumns(m_curve->runs, plot.low, plot.high, columns.count(),
-                                                  arePoints ? ColumnReach::Points : ColumnReach::Line)) {
-        if (!arePoints && !column.isJoined)
+    const ChartPlot &plot = columns.plot;
+    for (const CurveColumn &column : curveColumns(m_curve->runs, plot.low, plot.high, columns.count())) {
+        if (!column.isJoined)
             finish();
-        const double x = (plot.low + (column.index + 0.5) * step) * columns.perSi,
-                     middle = (column.low + column.high) / 2;
-        if (column.high - column.low < alike) {
-            points.append({x, middle});
-            continue;
-        }
+        const double middle = (column.low + column.high) / 2;
         const bool isRising = points.isEmpty() || points.last().y() <= middle;
-        points.append({x, isRising ? column.low : column.high});
-        points.append({x, isRising ? column.high : column.low});
+        if (columns.areAlike(column.low, column.high)) {
+            points.append({columns.middleOf(column.index), middle});
+        } else {
+            points.append({columns.middleOf(column.index), isRising ? column.low : column.high});
+            points.append({columns.middleOf(column.index), isRising ? column.high : column.low});
+        }
     }
-    if (arePoints)
-        points.removeIf([&plot](const QPointF &point) { return !holds(plot.values, point.y()); });
     finish();
     if (m_band)
         showDenseBand(columns);
     return strokes;
+}
+
+/// Both extremes of each column, which is half as wide as a dot.
+qsizetype ChartSeries::showDensePoints(const ChartColumns &columns)
+{
+    constexpr int widthPx = 2;
+    ChartColumns wide = columns;
+    wide.fineness = columns.fineness / widthPx;
+    const ChartPlot &plot = columns.plot;
+    QList<QPointF> points;
+    for (const CurveColumn &column :
+         curveColumns(m_curve->runs, plot.low, plot.high, wide.count(), ColumnReach::Points)) {
+        if (holds(plot.values, column.low))
+            points.append({wide.middleOf(column.index), column.low});
+        if (!columns.areAlike(column.low, column.high) && holds(plot.values, column.high))
+            points.append({wide.middleOf(column.index), column.high});
+    }
+    m_lines.first()->replace(points);
+    return points.size();
 }
 
 void ChartSeries::showDenseBand(const ChartColumns &columns)
@@ -271,7 +206,7 @@ void ChartSeries::showDenseBand(const ChartColumns &columns)
     constexpr int widthPx = 4;
     ChartColumns wide = columns;
     wide.fineness = columns.fineness / widthPx;
-    ColumnOutline band(wide, 1);
+    ColumnOutline band(wide);
     for (const CurveColumn &column : curveColumns(m_curve->runs, wide.plot.low, wide.plot.high, wide.count()))
         band.add(column.index, column.isJoined, column.bandLow, column.bandHigh);
     band.setTo(*m_band);

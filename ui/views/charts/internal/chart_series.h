@@ -23,6 +23,9 @@ struct ChartColumns
     double perSi = 1;    ///< the axis below shows so many of its units for one of the SI's
     double fineness = 1; ///< columns to a pixel: more for print
     int count() const;
+    double middleOf(int column) const; ///< on the axis below, in its unit
+    /// No further apart than the eye would see.
+    bool areAlike(double low, double high) const;
 };
 
 /// The series of Qt Charts that show one ChartCurve. Where more of its points are visible than there are
@@ -47,7 +50,8 @@ public:
 
 private:
     qsizetype showLine(const ChartColumns &columns);
-    qsizetype showDense(const ChartColumns &columns);
+    qsizetype showDenseLine(const ChartColumns &columns);
+    qsizetype showDensePoints(const ChartColumns &columns);
     void showDenseBand(const ChartColumns &columns);
     qsizetype showPoints(const ChartColumns &columns);
     qsizetype showSpikes(const ChartColumns &columns);
@@ -68,10 +72,5 @@ private:
 
 /// The colour of an ink in a palette.
 QColor inkColour(ChartInk ink, int place, const QPalette &palette);
-
-/// An area without an outline, filled in a colour.
-QAreaSeries *newArea(QChart &chart);
-/// Its upper and lower edge: as many points, of the same x.
-void setEdges(QAreaSeries &area, const QList<QPointF> &upper, const QList<QPointF> &lower);
 
 } // namespace odo
