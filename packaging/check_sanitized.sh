@@ -15,7 +15,7 @@ if [ "${1:-}" = --threads ]; then
     parts=(--tests-regex '^(capture|workflow|project)/')
     shift
 fi
-packaging/install_packages.sh
+packaging/install_packages.sh packages.txt packages_tests.txt
 [ -f "build/$preset/build.ninja" ] || cmake --preset "$preset"
 cmake --build --preset "$preset" --parallel "$(nproc)" "${targets[@]}"
 

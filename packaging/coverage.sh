@@ -5,8 +5,7 @@
 # Arguments go to ctest; a test that fails is told, and what the others reached is counted all the same.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/.."
-packaging/install_packages.sh
-packaging/install_packages.sh packages_quality.txt
+packaging/install_packages.sh packages.txt packages_tests.txt packages_quality.txt
 cmake --preset coverage >/dev/null
 cmake --build --preset coverage
 find build/coverage -name '*.gcda' -delete

@@ -1,15 +1,16 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs those packages of a list beside this script that are missing. Asks for nothing and calls nothing when none is.
-#   packaging/install_packages.sh [LIST]      default: packages.txt
+# Installs those packages of lists beside this script that are missing. Asks for nothing and calls nothing when none is.
+#   packaging/install_packages.sh [LIST...]      default: packages.txt
 set -euo pipefail
-list="$(dirname "$(readlink -f "$0")")/${1:-packages.txt}"
+cd "$(dirname "$(readlink -f "$0")")"
+[ $# -gt 0 ] || set -- packages.txt
 
 missing=()
 while read -r package; do
     state=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
     [ "$state" = installed ] || missing+=("$package")
-done < <(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$list")
+done < <(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$@")
 [ ${#missing[@]} -gt 0 ] || exit 0
 
 echo "Installing ${#missing[@]} packages: ${missing[*]}"

@@ -16,8 +16,7 @@ if [ "${1:-}" = --changed ]; then
     [ ${#paths[@]} -gt 0 ] || { echo "Nothing differs from $2 that can be looked through."; exit 0; }
 fi
 
-packaging/install_packages.sh
-packaging/install_packages.sh packages_quality.txt
+packaging/install_packages.sh packages.txt packages_tests.txt packages_quality.txt
 cmake --preset lint >/dev/null # anew, for files that have come since
 
 # A unit is what clang compiles in one go: a test, or a file of CMake's that includes up to sixteen sources, by which what all of them
